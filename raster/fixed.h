@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace scanlight::raster {
+
+// The number formats of the rasterizer. Coverage and interpolation are integer arithmetic, which
+// has no rounding to differ in: repeated addition, direct evaluation and any number of lanes give
+// the same bits.
+
+/// Screen coordinate in 1/256 pixel. Pixel (i, j) has its centre at (256 i + 128, 256 j + 128).
+using SubPixel = std::int32_t;
+inline constexpr int subpixel_bits = 8;
+inline constexpr SubPixel subpixels = 1 << subpixel_bits;
+inline constexpr SubPixel half_pixel = subpixels / 2;
+
+/// Largest width and height of a picture, in pixels.
+inline constexpr int max_size = 16384;
+
+/// Depth in 30 bits: 0 at the near plane, `depth_far` at the far plane, smaller is nearer.
+using Depth = std::int32_t;
+inline constexpr Depth depth_far = (1 << 30) - 1;
+inline constexpr Depth depth_clear = 1 << 30;  // behind everything
+
+/// An interpolated number in 2.29 fixed point, range [-4, 4): a colour channel, a component of a
+/// normal, or the perspective factor q.
+using Attribute = std::int32_t;
+inline constexpr float attribute_one = 536870912.0f;  // 2^29
+
+/// Extra fraction bits that an interpolated number carries while it is stepped.
+inline constexpr int ramp_bits = 16;
+
+constexpr std::int64_t floor_div(std::int64_t a, std::int64_t b) {  // b > 0
+    return a / b - (a % b < 0 ? 1 : 0);
+}
+
+constexpr std::int64_t ceil_div(std::int64_t a, std::int64_t b) {
+    return -floor_div(-a, b);
+}
+
+/// The first row (or column) whose centre is at or after `coordinate`.
+constexpr int first_centre(SubPixel coordinate) {
+    return (coordinate + half_pixel - 1) >> subpixel_bits;
+}
+
+// Conversions clamp before they convert: what an out-of-range cast gives differs between machines.
+// A NaN becomes `low`.
+inline float clamped(float value, float low, float high) {
+    return value >= low ? (value <= high ? value : high) : low;
+}
+
+inline Depth depth_from_ndc(float z) {
+    return static_cast<Depth>(std::llrint(static_cast<double>(clamped(z, 0.0f, 1.0f)) * depth_far));
+}
+
+inline float ndc_from_depth(Depth depth) {
+    return static_cast<float>(static_cast<double>(depth) / depth_far);
+}
+
+inline Attribute attribute_from_float(float value) {
+    return static_cast<Attribute>(
+        std::lrint(clamped(value, -3.9999998f, 3.9999998f) * attribute_one));
+}
+
+inline float float_from_attribute(Attribute value) {
+    return static_cast<float>(value) * (1.0f / attribute_one);
+}
+
+}  // namespace scanlight::raster
