@@ -28,18 +28,21 @@ Fragment<N> fragment_at(int x, int y, Depth depth, const Ramps<N>& ramps) {
 }
 
 /// The z-buffer (Catmull 1974): each pixel of the span that is nearer than what is there is stored
-/// as `shade(fragment)`. At equal depth the first polygon drawn stays.
+/// as `shade(fragment)`. At equal depth the first polygon drawn stays. Returns how many passed.
 template <int N, class T, class Shade>
-void draw_span(Span<N> span, Plane<Depth>& depth, Plane<T>& target, Shade&& shade) {
+std::size_t draw_span(Span<N> span, Plane<Depth>& depth, Plane<T>& target, Shade&& shade) {
     const auto depth_row = depth.row(span.y);
     const auto target_row = target.row(span.y);
+    std::size_t passed = 0;
     for (int x = span.x_begin; x < span.x_end; ++x, span.ramps.step()) {
         const auto column = static_cast<std::size_t>(x);
         const Depth z = span.ramps.depth.get();
         if (z >= depth_row[column]) continue;
         depth_row[column] = z;
         target_row[column] = shade(fragment_at<N>(x, span.y, z, span.ramps));
+        ++passed;
     }
+    return passed;
 }
 
 /// Which fragments a stencil pass counts: those in front of what is drawn, or those not.

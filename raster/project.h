@@ -33,44 +33,41 @@ ScreenVertex<N> snapped(const glm::vec4& p, const Viewport& viewport) {
     return v;
 }
 
-/// The chapter's projection: attributes will be interpolated evenly over the screen.
-template <int N>
-std::vector<ScreenVertex<N>> project_affine(const std::vector<ClipVertex<N>>& polygon,
-                                            const Viewport& viewport) {
+/// Projects each corner, its attributes multiplied by `scale(position)`.
+template <int N, class Scale>
+std::vector<ScreenVertex<N>> project_scaled(const std::vector<ClipVertex<N>>& polygon,
+                                            const Viewport& viewport, Scale&& scale) {
     std::vector<ScreenVertex<N>> result;
     result.reserve(polygon.size());
     for (const auto& vertex : polygon) {
         auto v = snapped<N>(vertex.position, viewport);
+        const float factor = scale(vertex.position);
         for (std::size_t k = 0; k < N; ++k) {
-            v.attributes[k] = attribute_from_float(vertex.attributes[k]);
+            v.attributes[k] = attribute_from_float(vertex.attributes[k] * factor);
         }
         result.push_back(v);
     }
     return result;
 }
 
-/// The cure for the chapter's unequal perspective spacing: a/w and 1/w are even over the screen
-/// where a is not. Attributes are stored times q = w_min / w, which lies in (0, 1], and q itself
-/// follows them: a = (a q) / q at each pixel. A direction needs no division: (a q) points the
-/// same way.
+/// The chapter's projection: attributes will be interpolated evenly over the screen.
 template <int N>
-std::vector<ScreenVertex<N + 1>> project_correct(const std::vector<ClipVertex<N>>& polygon,
-                                                 const Viewport& viewport) {
-    std::vector<ScreenVertex<N + 1>> result;
-    result.reserve(polygon.size());
+std::vector<ScreenVertex<N>> project_affine(const std::vector<ClipVertex<N>>& polygon,
+                                            const Viewport& viewport) {
+    return project_scaled(polygon, viewport, [](const glm::vec4&) { return 1.0f; });
+}
+
+/// The cure for the chapter's unequal perspective spacing: a/w and 1/w are even over the screen
+/// where a is not. Attributes are stored times q = w_min / w, which lies in (0, 1]. An attribute
+/// that is 1 at each corner becomes q itself, so that a = (a q) / q at each pixel; a direction
+/// needs no division, for (a q) points the same way.
+template <int N>
+std::vector<ScreenVertex<N>> project_correct(const std::vector<ClipVertex<N>>& polygon,
+                                             const Viewport& viewport) {
     float w_min = polygon.empty() ? 1.0f : polygon.front().position.w;
-    for (const auto& vertex : polygon)
-        w_min = std::min(w_min, vertex.position.w);
-    for (const auto& vertex : polygon) {
-        const float q = w_min / vertex.position.w;
-        auto v = snapped<N + 1>(vertex.position, viewport);
-        for (std::size_t k = 0; k < N; ++k) {
-            v.attributes[k] = attribute_from_float(vertex.attributes[k] * q);
-        }
-        v.attributes[N] = attribute_from_float(q);
-        result.push_back(v);
-    }
-    return result;
+    for (const auto& vertex : polygon) w_min = std::min(w_min, vertex.position.w);
+    return project_scaled(polygon, viewport,
+                          [w_min](const glm::vec4& position) { return w_min / position.w; });
 }
 
 /// Twice the signed area on the screen in 1/65536 square pixels, exact. Positive for polygons that

@@ -1,0 +1,109 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "apps/scanlight/commands.h"
+#include "apps/scanlight/model.h"
+#include "mesh/bounds.h"
+
+namespace scanlight::apps {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct InfoOptions {
+    std::string input;
+    bool json = false;
+};
+
+Json json_of(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+Json materials_json(const mesh::Mesh& mesh) {
+    Json list = Json::array();
+    for (const auto& material : mesh.materials) {
+        if (!material.name.empty()) list.push_back(material.name);
+    }
+    return list;
+}
+
+std::size_t largest_polygon(const mesh::Mesh& mesh) {
+    std::size_t largest = 0;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        largest = std::max(largest, mesh.face(f).size());
+    }
+    return largest;
+}
+
+Json json_of(const Model& model) {
+    const auto& report = model.report;
+    const mesh::Mesh& mesh = model.mesh;
+    const mesh::Box box = mesh::bounding_box(mesh);
+    return {{"input", model.name},
+            {"faces", report.faces_in},
+            {"drawn", report.drawn},
+            {"dropped",
+             {{"zero area", report.zero_area}, {"fewer than 3 corners", report.few_corners}}},
+            {"largest polygon", largest_polygon(mesh)},
+            {"vertices", mesh.vertices.size()},
+            {"isolated points", report.isolated_points},
+            {"edges", report.edges},
+            {"boundary edges", report.boundary_edges},
+            {"components", report.components},
+            {"closed", report.closed()},
+            {"manifold", report.manifold()},
+            {"repaired",
+             {{"faces given corners of their own", report.split_faces},
+              {"points doubled", report.split_vertices}}},
+            {"has uvs", mesh.vertices.has_uvs()},
+            {"has colours", mesh.vertices.has_colors()},
+            {"materials", materials_json(mesh)},
+            {"low", json_of(box.low)},
+            {"high", json_of(box.high)},
+            {"warnings", model.warnings}};
+}
+
+std::string as_words(const Json& value) {
+    if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+    if (value.is_string()) return value.get<std::string>();
+    if (!value.is_structured()) return value.dump();
+    std::string text;
+    for (const auto& [key, item] : value.items()) {
+        text += (text.empty()        ? ""
+                 : value.is_object() ? ", "
+                                     : "  ") +
+                (value.is_object() ? key + " " : std::string()) + as_words(item);
+    }
+    return text.empty() ? "none" : text;
+}
+
+void info(const InfoOptions& options) {
+    const Json json = json_of(load_model(options.input, {}));
+    if (options.json) {
+        std::printf("%s\n", json.dump(2).c_str());
+        return;
+    }
+    for (const auto& [key, value] : json.items()) {
+        std::printf("%-16s %s\n", key.c_str(), as_words(value).c_str());
+    }
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& program) {
+    auto options = std::make_shared<InfoOptions>();
+    CLI::App* command =
+        program.add_subcommand("info", "What a mesh file holds and what was repaired");
+    command->add_option("input", options->input, "mesh file, - or a built-in shape")
+        ->required()
+        ->type_name("IN");
+    command->add_flag("--json", options->json, "as JSON");
+    command->footer("Examples:\n  scanlight info bunny.obj\n  scanlight info part.stl --json");
+    command->callback([options] { info(*options); });
+}
+
+}  // namespace scanlight::apps

@@ -1,0 +1,199 @@
+#include "apps/scanlight/parse.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <sstream>
+
+#include "apps/scanlight/usage_error.h"
+#include "raster/srgb.h"
+
+namespace scanlight::apps {
+
+namespace {
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (std::size_t begin = 0;;) {
+        const std::size_t end = text.find(separator, begin);
+        parts.push_back(text.substr(begin, end - begin));
+        if (end == std::string_view::npos) return parts;
+        begin = end + 1;
+    }
+}
+
+[[noreturn]] void refuse(std::string_view what, std::string_view text, std::string_view expected) {
+    throw UsageError(std::string(what) + " '" + std::string(text) + "': expected " +
+                     std::string(expected));
+}
+
+std::optional<double> number(std::string_view text) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::optional<int> pixels(std::string_view text) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value >= 1 && value <= raster::max_size ? std::optional(value) : std::nullopt;
+}
+
+std::optional<glm::dvec3> three_numbers(const std::vector<std::string_view>& parts) {
+    if (parts.size() < 3) return std::nullopt;
+    const auto x = number(parts[0]);
+    const auto y = number(parts[1]);
+    const auto z = number(parts[2]);
+    if (!x || !y || !z) return std::nullopt;
+    return glm::dvec3(*x, *y, *z);
+}
+
+std::optional<std::uint32_t> hexadecimal(std::string_view digits) {
+    std::uint32_t value = 0;
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+    if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+    return value;
+}
+
+glm::vec3 linear_from_bytes(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
+    const auto linear = [](std::uint32_t byte) {
+        return raster::linear_from_srgb(static_cast<std::uint8_t>(byte));
+    };
+    return {linear(red), linear(green), linear(blue)};
+}
+
+std::optional<glm::vec3> hash_color(std::string_view text) {
+    const auto value = hexadecimal(text.substr(1));
+    if (!value) return std::nullopt;
+    const std::uint32_t v = *value;
+    if (text.size() == 7) return linear_from_bytes(v >> 16, v >> 8 & 255, v & 255);
+    if (text.size() == 4) {
+        return linear_from_bytes((v >> 8) * 17, (v >> 4 & 15) * 17, (v & 15) * 17);
+    }
+    return std::nullopt;
+}
+
+std::optional<glm::vec3> number_color(std::string_view text) {
+    const auto parts = split(text, ',');
+    if (parts.size() == 1) {
+        const auto grey = number(text);
+        return grey && *grey >= 0.0 ? std::optional(glm::vec3(static_cast<float>(*grey)))
+                                    : std::nullopt;
+    }
+    const auto color = parts.size() == 3 ? three_numbers(parts) : std::nullopt;
+    if (!color || color->x < 0.0 || color->y < 0.0 || color->z < 0.0) return std::nullopt;
+    return glm::vec3(*color);
+}
+
+LightFrame take_light_frame(std::string_view& text) {
+    const std::pair<std::string_view, LightFrame> frames[] = {{"camera:", LightFrame::camera},
+                                                              {"world:", LightFrame::world},
+                                                              {"point:", LightFrame::point}};
+    for (const auto& [prefix, frame] : frames) {
+        if (text.starts_with(prefix)) {
+            text.remove_prefix(prefix.size());
+            return frame;
+        }
+    }
+    return LightFrame::camera;
+}
+
+std::optional<shading::Falloff> falloff_named(std::string_view name) {
+    if (name == "constant") return shading::Falloff::constant;
+    if (name == "inverse") return shading::Falloff::inverse;
+    if (name == "inverse-square") return shading::Falloff::inverse_square;
+    if (name == "inverse-plus-k") return shading::Falloff::inverse_plus_k;
+    return std::nullopt;
+}
+
+}  // namespace
+
+double parse_number(std::string_view text, std::string_view what) {
+    const auto value = number(text);
+    if (!value) refuse(what, text, "a number");
+    return *value;
+}
+
+raster::Viewport parse_size(std::string_view text) {
+    const auto parts = split(text, 'x');
+    const auto width = parts.size() == 2 ? pixels(parts[0]) : std::nullopt;
+    const auto height = parts.size() == 2 ? pixels(parts[1]) : std::nullopt;
+    if (!width || !height) refuse("size", text, "WIDTHxHEIGHT, each 1 to 16384, such as 640x480");
+    return {*width, *height};
+}
+
+render::ViewAngles parse_view(std::string_view text) {
+    const auto parts = split(text, ',');
+    const auto azimuth = parts.size() == 2 ? number(parts[0]) : std::nullopt;
+    const auto elevation = parts.size() == 2 ? number(parts[1]) : std::nullopt;
+    if (!azimuth || !elevation || std::abs(*azimuth) > 36000.0 || std::abs(*elevation) > 90.0) {
+        refuse("view", text, "AZIMUTH,ELEVATION in degrees, elevation -90 to 90, such as 30,20");
+    }
+    return {*azimuth, *elevation};
+}
+
+glm::dvec3 parse_point(std::string_view text, std::string_view what) {
+    const auto parts = split(text, ',');
+    const auto point = parts.size() == 3 ? three_numbers(parts) : std::nullopt;
+    if (!point) refuse(what, text, "x,y,z");
+    return *point;
+}
+
+glm::vec3 parse_color(std::string_view text) {
+    const auto color = text.starts_with('#') ? hash_color(text) : number_color(text);
+    if (!color) refuse("colour", text, "#rrggbb, #rgb, one grey number or r,g,b");
+    return *color;
+}
+
+LightOption parse_light(std::string_view text) {
+    constexpr std::string_view expected =
+        "[camera:|world:|point:]x,y,z[,#colour][,constant|inverse|inverse-square|inverse-plus-k]";
+    LightOption light;
+    std::string_view rest = text;
+    light.frame = take_light_frame(rest);
+    const auto parts = split(rest, ',');
+    const auto place = three_numbers(parts);
+    if (!place) refuse("light", text, expected);
+    light.place = *place;
+    for (std::size_t i = 3; i < parts.size(); ++i) {
+        if (parts[i].starts_with('#')) {
+            light.color = parse_color(parts[i]);
+        } else if (const auto falloff = falloff_named(parts[i])) {
+            light.falloff = *falloff;
+        } else {
+            refuse("light", text, expected);
+        }
+    }
+    return light;
+}
+
+shading::Material<float> parse_material(std::string_view text, shading::Material<float> base) {
+    bool has_ambient = false;
+    for (const std::string_view word : split(text, ' ')) {
+        if (word.empty()) continue;
+        const auto parts = split(word, '=');
+        if (parts.size() != 2) refuse("material", word, "ka=…, kd=…, ks=… or n=…");
+        const auto [key, value] = std::pair(parts[0], parts[1]);
+        if (key == "n") {
+            base.exponent = parse_number(value, "material n");
+        } else if (key == "ka") {
+            base.ambient = parse_color(value);
+            has_ambient = true;
+        } else if (key == "kd") {
+            base.diffuse = parse_color(value);
+            if (!has_ambient) base.ambient = base.diffuse;
+        } else if (key == "ks") {
+            base.specular = parse_color(value);
+        } else {
+            refuse("material", word, "ka=…, kd=…, ks=… or n=…");
+        }
+    }
+    return base;
+}
+
+}  // namespace scanlight::apps

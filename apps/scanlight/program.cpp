@@ -1,0 +1,86 @@
+#include "apps/scanlight/program.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "apps/scanlight/commands.h"
+
+namespace scanlight::apps {
+
+namespace {
+
+constexpr int exit_ok = 0;
+constexpr int exit_difference = 1;
+constexpr int exit_error = 2;
+
+void add_commands(CLI::App& program) {
+    program.set_version_flag("--version", std::string("scanlight ") + SCANLIGHT_VERSION);
+    program.require_subcommand(1);
+    program.get_formatter()->column_width(38);
+    program.footer(
+        "Examples:\n"
+        "  scanlight render teapot                     a built-in shape into teapot.png\n"
+        "  scanlight bunny.obj bunny.png               a mesh file into a picture\n"
+        "  scanlight render bunny.obj -o - | display   a PPM to a pipe\n"
+        "  scanlight steps shape:star                  watch the edge table work\n"
+        "  scanlight diff a.png b.png                  exit status 1 if they differ\n"
+        "  scanlight COMMAND --help                    all options of a command");
+    add_render_command(program);
+    add_info_command(program);
+    add_diff_command(program);
+    add_steps_command(program);
+    add_gallery_command(program);
+}
+
+/// `scanlight IN OUT` means `scanlight render IN OUT`.
+std::vector<std::string> with_command(const CLI::App& program, std::vector<std::string> arguments) {
+    if (arguments.empty()) return {"--help"};
+    const std::string& first = arguments.front();
+    const bool is_option = first.size() > 1 && first.front() == '-';
+    const auto commands = program.get_subcommands(
+        [&](const CLI::App* command) { return command->get_name() == first; });
+    const bool is_command = !commands.empty();
+    if (!is_option && !is_command) arguments.insert(arguments.begin(), "render");
+    return arguments;
+}
+
+int report(const std::string& message) {
+    std::fprintf(stderr, "scanlight: %s\n", message.c_str());
+    return exit_error;
+}
+
+int parse_and_run(CLI::App& program, std::vector<std::string> arguments) {
+    arguments = with_command(program, std::move(arguments));
+    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them last first
+    try {
+        program.parse(arguments);
+    } catch (const CLI::Success& wanted) {  // --help, --version
+        return program.exit(wanted);
+    } catch (const CLI::ParseError& error) {
+        return report(std::string(error.what()) + "; see scanlight --help");
+    }
+    return exit_ok;
+}
+
+}  // namespace
+
+int run(int argc, const char* const* argv) {
+    CLI::App program("Scanlight: the scanline renderer that teaches.", "scanlight");
+    add_commands(program);
+    try {
+        return parse_and_run(program, {argv + 1, argv + argc});
+    } catch (const Dissimilar&) {
+        return exit_difference;
+    } catch (const std::bad_alloc&) {
+        return report("out of memory");
+    } catch (const std::exception& error) {
+        return report(error.what());
+    }
+}
+
+}  // namespace scanlight::apps

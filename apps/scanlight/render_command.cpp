@@ -1,0 +1,187 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/scanlight/commands.h"
+#include "apps/scanlight/picture.h"
+#include "apps/scanlight/scene_setup.h"
+#include "apps/scanlight/statistics.h"
+#include "apps/scanlight/stopwatch.h"
+#include "apps/scanlight/usage_error.h"
+#include "raster/develop.h"
+#include "raster/save_file.h"
+#include "raster/save_image.h"
+
+namespace scanlight::apps {
+
+namespace {
+
+enum class Aov { depth, normal, id };
+
+struct AovOption {
+    Aov kind;
+    std::string path;
+};
+
+struct RenderOptions {
+    SceneOptions scene;
+    std::string output;
+    std::string format;
+    std::vector<AovOption> aovs;
+    std::string statistics;
+    bool quiet = false;
+};
+
+// ---- options
+
+AovOption parse_aov(const std::string& text) {
+    const std::size_t colon = text.find(':');
+    const std::string kind = text.substr(0, colon);
+    const std::string path = colon == std::string::npos ? "" : text.substr(colon + 1);
+    const std::pair<std::string, Aov> kinds[] = {
+        {"depth", Aov::depth}, {"normal", Aov::normal}, {"id", Aov::id}};
+    for (const auto& [name, aov] : kinds) {
+        if (kind == name && !path.empty()) return {aov, path};
+    }
+    throw UsageError("aov '" + text + "': expected depth:PATH, normal:PATH or id:PATH");
+}
+
+void add_output_options(CLI::App& app, RenderOptions& options) {
+    app.add_option("output,-o,--output", options.output,
+                   "picture: .png, .ppm, .pfm or .hdr; - writes a PPM to standard output.\n"
+                   "IN's name with .png if not given")
+        ->type_name("OUT");
+    app.add_option("--format", options.format, "format, whatever OUT's ending")
+        ->type_name("png|ppm|pfm|hdr")
+        ->check(CLI::IsMember({"png", "ppm", "pfm", "hdr"}));
+    app.add_option_function<std::vector<std::string>>(
+           "--aov",
+           [&options](const std::vector<std::string>& texts) {
+               for (const auto& text : texts)
+                   options.aovs.push_back(parse_aov(text));
+           },
+           "another picture, repeatable: depth (16-bit PNG, or distance in PFM), normal\n"
+           "(colours, or PFM), id (polygon number in 24 bits, or PFM)")
+        ->type_name("depth|normal|id:PATH")
+        ->allow_extra_args(false);
+    app.add_option("--stats", options.statistics, "counts and times, on standard output")
+        ->type_name("json|text")
+        ->check(CLI::IsMember({"json", "text"}));
+    app.add_flag("-q,--quiet", options.quiet, "no messages but errors");
+}
+
+// ---- output
+
+std::string default_output(const std::string& input) {
+    if (input == "-") return "scanlight.png";
+    const std::string shape = input.substr(input.find("shape:") == 0 ? 6 : 0);
+    const std::string stem =
+        std::filesystem::path(shape.substr(0, shape.find(':'))).stem().string();
+    return (stem.empty() ? "scanlight" : stem) + ".png";
+}
+
+raster::ImageFormat format_of(const std::string& path, const std::string& format) {
+    return format.empty() ? raster::image_format(path) : raster::image_format("." + format);
+}
+
+bool holds_floats(raster::ImageFormat format) {
+    return format == raster::ImageFormat::pfm || format == raster::ImageFormat::hdr;
+}
+
+void save_color(const raster::Framebuffer& framebuffer, const RenderOptions& options) {
+    const auto format = format_of(options.output, options.format);
+    const bool transparent = !options.scene.background && format == raster::ImageFormat::png;
+    const auto alpha = transparent ? raster::Alpha::kept : raster::Alpha::dropped;
+    if (holds_floats(format)) {
+        raster::save_image(options.output, raster::linear_image(framebuffer.color, alpha), format);
+    } else {
+        raster::save_image(options.output, raster::srgb_image(framebuffer.color, alpha), format);
+    }
+}
+
+raster::AnyImage aov_image(Aov kind, bool floats, const render::Scene& scene,
+                           const SceneOptions& options, const raster::Framebuffer& framebuffer) {
+    switch (kind) {
+        case Aov::depth:
+            if (!floats) return raster::depth_image(framebuffer.depth);
+            return float_image(render::eye_distances(framebuffer.depth, scene.camera));
+        case Aov::normal: {
+            const auto normals = render::draw_normals(scene, options.settings, options.size);
+            if (!floats) return normals_image(normals);
+            return normals_float_image(normals);
+        }
+        case Aov::id:
+            break;
+    }
+    const auto ids = render::draw_ids(scene, options.settings, options.size);
+    if (floats) return ids_float_image(ids);
+    return ids_image(ids);
+}
+
+void save_aov(const AovOption& aov, const render::Scene& scene, const SceneOptions& options,
+              const raster::Framebuffer& framebuffer) {
+    const auto format = raster::image_format(aov.path);
+    raster::save_image(
+        aov.path, aov_image(aov.kind, holds_floats(format), scene, options, framebuffer), format);
+}
+
+/// What is wrong with an output's name is said before the work, not after.
+void check_outputs(RenderOptions& options) {
+    if (options.output.empty()) options.output = default_output(options.scene.input);
+    format_of(options.output, options.format);
+    wireframe_of(options.scene);
+    for (const auto& aov : options.aovs)
+        raster::image_format(aov.path);
+}
+
+void say(const RenderOptions& options, const std::string& message) {
+    if (!options.quiet) std::fprintf(stderr, "%s\n", message.c_str());
+}
+
+void render(RenderOptions& options) {
+    check_outputs(options);
+    const Model model = load_model(options.scene);
+    for (const auto& warning : model.warnings)
+        say(options, "scanlight: " + warning);
+    const render::Scene scene = scene_of(model, options.scene);
+
+    Stopwatch stopwatch;
+    const render::Drawing drawing = draw_picture(scene, options.scene);
+    const double draw_seconds = stopwatch.lap();
+    save_color(drawing.framebuffer, options);
+    for (const auto& aov : options.aovs) {
+        save_aov(aov, scene, options.scene, drawing.framebuffer);
+    }
+    const Statistics statistics{model, options.scene, drawing.counts, draw_seconds,
+                                stopwatch.lap()};
+    if (!options.statistics.empty()) {
+        const std::string text =
+            options.statistics == "json" ? as_json(statistics) : as_text(statistics);
+        std::fputs(text.c_str(), options.output == "-" ? stderr : stdout);
+    }
+    if (options.output != "-") say(options, summary(options.output, statistics));
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& program) {
+    auto options = std::make_shared<RenderOptions>();
+    CLI::App* command = program.add_subcommand("render", "A mesh file into a shaded picture");
+    add_scene_options(*command, options->scene);
+    add_output_options(*command, *options);
+    command->footer(
+        "Examples:\n"
+        "  scanlight render teapot -o teapot.png --shading gouraud\n"
+        "  scanlight render bunny.obj -o bunny.png --view 200,15 --material \"kd=#c8b090 ks=0.2 "
+        "n=20\"\n"
+        "  scanlight render sphere:16,8 -o s.png --light 1,1,1,#ff8040 --light -1,0.5,1,#4080ff\n"
+        "  scanlight render part.stl -o - --background none --format png > part.png\n"
+        "  scanlight render cow.obj -o cow.png --aov depth:z.png --aov normal:n.pfm --stats json");
+    command->callback([options] { render(*options); });
+}
+
+}  // namespace scanlight::apps

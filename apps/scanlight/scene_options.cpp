@@ -1,0 +1,179 @@
+#include "apps/scanlight/scene_options.h"
+
+#include <CLI/CLI.hpp>
+#include <map>
+
+#include "apps/scanlight/usage_error.h"
+
+namespace scanlight::apps {
+
+namespace {
+
+/// An option with a fixed set of words.
+template <class Enum>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Enum& value,
+                        const std::map<std::string, Enum>& words, const std::string& help) {
+    std::string list;
+    std::string preset;
+    for (const auto& [word, meaning] : words) {
+        list += (list.empty() ? "" : "|") + word;
+        if (meaning == value) preset = word;
+    }
+    const auto choose = [&value, words, name, list](const std::string& text) {
+        const auto found = words.find(text);
+        if (found == words.end()) throw UsageError(name + " '" + text + "': expected " + list);
+        value = found->second;
+    };
+    return app.add_option_function<std::string>(name, choose, help)
+        ->type_name(list)
+        ->default_str(preset);
+}
+
+/// An option whose text `use` turns into a value.
+template <class Use>
+CLI::Option* add_text(CLI::App& app, const std::string& name, const std::string& type,
+                      const std::string& help, Use use) {
+    return app.add_option_function<std::string>(name, use, help)->type_name(type);
+}
+
+void add_picture_options(CLI::App& app, SceneOptions& o) {
+    add_text(app, "-s,--size", "WxH", "picture size in pixels", [&o](const std::string& text) {
+        o.size = parse_size(text);
+    })->default_str(std::to_string(o.size.width) + "x" + std::to_string(o.size.height));
+    add_choice<render::Shading>(app, "--shading", o.settings.shading,
+                                {{"flat", render::Shading::flat},
+                                 {"gouraud", render::Shading::gouraud},
+                                 {"phong", render::Shading::phong}},
+                                "one intensity a polygon, intensities interpolated, or normals");
+    add_choice<shading::Illumination>(
+        app, "--illumination", o.settings.illumination,
+        {{"lambert", shading::Illumination::lambert},
+         {"gouraud71", shading::Illumination::gouraud71},
+         {"phong", shading::Illumination::phong},
+         {"blinn", shading::Illumination::blinn}},
+        "the illumination model: (R.V)^n for phong, (N.H)^n for blinn");
+    add_choice<Polygons>(
+        app, "--interpolation", o.polygons,
+        {{"bilinear", Polygons::bilinear}, {"triangulated", Polygons::triangulated}},
+        "n-gons as they are, or cut into triangles first");
+    add_choice<render::Perspective>(
+        app, "--perspective", o.settings.perspective,
+        {{"correct", render::Perspective::correct}, {"affine", render::Perspective::affine}},
+        "attributes even over the object, or over the screen as in the textbook");
+    add_choice<render::Cull>(app, "--cull", o.settings.cull,
+                             {{"none", render::Cull::none},
+                              {"back", render::Cull::back},
+                              {"front", render::Cull::front}},
+                             "polygons to leave out");
+    add_choice<render::Sides>(app, "--sides", o.settings.sides,
+                              {{"one", render::Sides::one}, {"two", render::Sides::two}},
+                              "light the front only, or the side that is seen");
+    add_choice<render::Distances>(
+        app, "--distances", o.settings.distances,
+        {{"finite", render::Distances::finite}, {"infinite", render::Distances::infinite}},
+        "eye and lights at their places, or at infinity as in the textbook");
+    app.add_flag("--wireframe{all}", o.wireframe_word,
+                 "draw edges: =all, =hidden (without the hidden ones), =over (over the shading)");
+}
+
+void add_mesh_options(CLI::App& app, SceneOptions& o) {
+    add_choice<mesh::NormalWeight>(app, "--normals", o.normals.weight,
+                                   {{"mean", mesh::NormalWeight::mean},
+                                    {"area", mesh::NormalWeight::area},
+                                    {"angle", mesh::NormalWeight::angle},
+                                    {"file", mesh::NormalWeight::file}},
+                                   "vertex normals: the faces' mean, weighted, or the file's");
+    app.add_option("--crease", o.normals.crease_deg,
+                   "faces at a larger angle than this share no normal; 180 smooths all")
+        ->type_name("DEG")
+        ->check(CLI::Range(0.0, 180.0))
+        ->capture_default_str();
+    add_text(app, "--material", "\"kd=… ks=… n=…\"",
+             "the surface, instead of the file's: ka, kd, ks (colours), n (exponent)",
+             [&o](const std::string& text) {
+                 parse_material(text, {});  // what is wrong with it is said at once
+                 o.material = text;
+             });
+}
+
+void add_camera_options(CLI::App& app, SceneOptions& o) {
+    add_text(app, "--view", "AZ,EL", "look from this azimuth and elevation, in degrees",
+             [&o](const std::string& text) { o.view = parse_view(text); })
+        ->default_str("30,20");
+    app.add_option("--fov", o.fov_deg, "vertical field of view")
+        ->type_name("DEG")
+        ->check(CLI::Range(1.0, 170.0))
+        ->capture_default_str();
+    app.add_option("--lens", o.lens_mm, "focal length for a frame 24 mm high, instead of --fov")
+        ->type_name("MM")
+        ->check(CLI::Range(1.0, 5000.0));
+    add_choice<render::Projection>(app, "--projection", o.projection,
+                                   {{"perspective", render::Projection::perspective},
+                                    {"orthographic", render::Projection::orthographic}},
+                                   "the camera's");
+    app.add_option("--zoom", o.zoom, "enlarge the picture about its centre")
+        ->check(CLI::Range(0.001, 1000.0))
+        ->capture_default_str();
+    add_text(app, "--eye", "X,Y,Z", "the camera's place in the world, instead of --view",
+             [&o](const std::string& text) { o.eye = parse_point(text, "eye"); });
+    add_text(app, "--target", "X,Y,Z", "what --eye looks at; the middle of the mesh if not given",
+             [&o](const std::string& text) { o.target = parse_point(text, "target"); });
+}
+
+void add_light_options(CLI::App& app, SceneOptions& o) {
+    app.add_option_function<std::vector<std::string>>(
+           "--light",
+           [&o](const std::vector<std::string>& texts) {
+               for (const auto& text : texts)
+                   o.lights.push_back(parse_light(text));
+           },
+           "a light, repeatable: its direction as the camera sees it (right, up, towards the\n"
+           "viewer); world:x,y,z is a direction in the world, point:x,y,z a place in it")
+        ->type_name("X,Y,Z[,#COLOUR][,FALLOFF]")
+        ->allow_extra_args(false);
+    app.add_option("--light-k", o.light_k, "k of the fall-off inverse-plus-k and of gouraud71")
+        ->check(CLI::Range(1e-6, 1e6))
+        ->capture_default_str();
+    add_text(app, "--ambient", "COLOUR", "the ambient light I_a", [&o](const std::string& text) {
+        o.ambient = parse_color(text);
+    })->default_str("0.15");
+    add_text(app, "--background", "COLOUR|none", "none is transparent",
+             [&o](const std::string& text) {
+                 if (text == "none") {
+                     o.background.reset();
+                 } else {
+                     o.background = parse_color(text);
+                 }
+             });
+}
+
+}  // namespace
+
+Wireframe wireframe_of(const SceneOptions& options) {
+    const std::string& word = options.wireframe_word;
+    if (word.empty()) return Wireframe::none;
+    if (word == "all") return Wireframe::all;
+    if (word == "hidden") return Wireframe::hidden;
+    if (word == "over") return Wireframe::over;
+    throw UsageError("wireframe '" + word + "': expected all, hidden or over");
+}
+
+SceneOptions parse_scene(const std::string& command_line) {
+    SceneOptions options;
+    CLI::App app;
+    add_scene_options(app, options);
+    app.parse(command_line);
+    return options;
+}
+
+void add_scene_options(CLI::App& app, SceneOptions& options) {
+    app.add_option("input", options.input, "mesh file (OBJ, PLY, OFF, STL), - or a built-in shape")
+        ->required()
+        ->type_name("IN");
+    add_picture_options(app, options);
+    add_mesh_options(app, options);
+    add_camera_options(app, options);
+    add_light_options(app, options);
+}
+
+}  // namespace scanlight::apps

@@ -1,0 +1,97 @@
+#include "apps/scanlight/scene_setup.h"
+
+#include <glm/matrix.hpp>
+
+#include "mesh/bounds.h"
+#include "mesh/triangulate.h"
+#include "render/framing.h"
+#include "render/materials.h"
+
+namespace scanlight::apps {
+
+namespace {
+
+constexpr double lens_frame_height_mm = 24.0;
+
+/// What a mesh without materials of its own is made of: clay with a soft highlight.
+shading::Material<float> clay() {
+    const glm::vec3 color(0.56f, 0.23f, 0.11f);
+    return {color, color, glm::vec3(0.4f), 40.0};
+}
+
+bool has_own_materials(const mesh::Mesh& mesh) {
+    return mesh.materials.size() > 1 || !mesh.materials.front().name.empty();
+}
+
+std::vector<shading::Material<float>> materials_of(const mesh::Mesh& mesh,
+                                                   const SceneOptions& options) {
+    auto materials = render::shading_materials(mesh.materials);
+    if (!has_own_materials(mesh)) materials.front() = clay();
+    for (auto& material : materials)
+        material = parse_material(options.material, material);
+    return materials;
+}
+
+double magnification(const SceneOptions& options) {
+    return options.lens_mm > 0.0
+               ? render::magnification_from_lens(options.lens_mm, lens_frame_height_mm)
+               : render::magnification_from_fov(options.fov_deg);
+}
+
+render::Camera camera_of(const std::vector<render::Object>& objects, const SceneOptions& options) {
+    const double aspect = static_cast<double>(options.size.width) / options.size.height;
+    render::Camera camera;
+    camera.projection = options.projection;
+    camera.magnification = magnification(options);
+    camera.target = glm::dvec3(0.0);
+    camera.eye = render::direction_of(options.view);
+    if (options.eye) {
+        camera.target = options.target.value_or(mesh::bounding_box(*objects.front().mesh).center());
+        camera.eye = *options.eye;
+    } else {
+        camera = render::framed(camera, objects, aspect);
+    }
+    camera.magnification *= options.zoom;
+    return render::with_fitted_planes(camera, objects);
+}
+
+shading::Light<float> light_of(const LightOption& option, const render::Camera& camera,
+                               float light_k) {
+    if (option.frame == LightFrame::point) {
+        return shading::point_light<float>(option.place, option.color, {option.falloff, light_k});
+    }
+    const glm::dmat3 world_from_eye = glm::transpose(glm::dmat3(render::eye_from_world(camera)));
+    const glm::dvec3 towards =
+        option.frame == LightFrame::camera ? world_from_eye * option.place : option.place;
+    return shading::directional_light<float>(towards, option.color);
+}
+
+shading::Lighting<float> lighting_of(const render::Camera& camera, const SceneOptions& options) {
+    const LightOption from_the_upper_left{LightFrame::camera, glm::dvec3(-0.7, 0.7, 1.0)};
+    const auto& lights = options.lights;
+    shading::Lighting<float> lighting{options.ambient, {}};
+    for (const auto& light : lights.empty() ? std::vector{from_the_upper_left} : lights) {
+        lighting.lights.push_back(light_of(light, camera, options.light_k));
+    }
+    return lighting;
+}
+
+}  // namespace
+
+Model load_model(const SceneOptions& options) {
+    Model model = load_model(options.input, options.normals);
+    if (options.polygons == Polygons::triangulated) model.mesh = mesh::triangulated(model.mesh);
+    return model;
+}
+
+render::Scene scene_of(const Model& model, const SceneOptions& options) {
+    render::Scene scene;
+    scene.objects.push_back({&model.mesh, materials_of(model.mesh, options)});
+    scene.camera = camera_of(scene.objects, options);
+    scene.lighting = lighting_of(scene.camera, options);
+    scene.background =
+        options.background ? raster::Rgba(*options.background, 1.0f) : raster::Rgba(0.0f);
+    return scene;
+}
+
+}  // namespace scanlight::apps

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "apps/scanlight/model.h"
+#include "apps/scanlight/scene_options.h"
+#include "render/draw_polygons.h"
+
+namespace scanlight::apps {
+
+/// What `--stats` tells of one run.
+struct Statistics {
+    const Model& model;
+    const SceneOptions& options;
+    render::DrawCounts counts;
+    double draw_seconds;
+    double save_seconds;
+};
+
+std::string as_json(const Statistics& statistics);
+std::string as_text(const Statistics& statistics);
+
+/// One line for a person: "teapot.png: 640x480, 2016 polygons drawn in 12.3 ms".
+std::string summary(const std::string& output, const Statistics& statistics);
+
+}  // namespace scanlight::apps

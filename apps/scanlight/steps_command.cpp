@@ -1,0 +1,114 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "apps/scanlight/commands.h"
+#include "apps/scanlight/scene_setup.h"
+#include "apps/scanlight/steps_report.h"
+#include "apps/scanlight/usage_error.h"
+#include "raster/save_file.h"
+#include "render/steps.h"
+
+namespace scanlight::apps {
+
+namespace {
+
+using render::PolygonSteps;
+
+struct StepsOptions {
+    SceneOptions scene;
+    std::string output = "-";
+    std::string polygon;  // a number, "all", or empty for the tallest
+    bool json = false;
+};
+
+bool is_less_tall(const PolygonSteps& a, const PolygonSteps& b) {
+    return a.scanlines.size() < b.scanlines.size();
+}
+
+std::vector<PolygonSteps> tallest(std::vector<PolygonSteps> polygons) {
+    if (polygons.size() <= 1) return polygons;
+    const auto found = std::max_element(polygons.begin(), polygons.end(), is_less_tall);
+    std::fprintf(stderr,
+                 "scanlight: %zu polygons are seen; this is %u, the tallest (see --polygon)\n",
+                 polygons.size(), found->id);
+    return {*found};
+}
+
+std::vector<PolygonSteps> with_number(std::vector<PolygonSteps> polygons, const std::string& text) {
+    const double number = parse_number(text, "polygon");
+    std::erase_if(polygons, [number](const auto& steps) { return steps.id != number; });
+    if (polygons.empty()) throw UsageError("polygon " + text + " is not seen, or not there at all");
+    return polygons;
+}
+
+std::vector<PolygonSteps> chosen(std::vector<PolygonSteps> polygons, const std::string& polygon) {
+    if (polygon.empty()) return tallest(std::move(polygons));
+    return polygon == "all" ? polygons : with_number(std::move(polygons), polygon);
+}
+
+std::string title_of(const PolygonSteps& steps, const StepsOptions& options) {
+    return "Polygon " + std::to_string(steps.id) + " of " + options.scene.input + ": " +
+           std::to_string(steps.corners.size()) + " corners, " +
+           std::to_string(options.scene.size.width) + "x" +
+           std::to_string(options.scene.size.height) + " pixels";
+}
+
+std::string report(const std::vector<PolygonSteps>& polygons, const StepsOptions& options) {
+    if (options.json) return steps_json(polygons);
+    std::string text;
+    for (const auto& steps : polygons) {
+        text += (text.empty() ? "" : "\n\n") + steps_text(steps, title_of(steps, options));
+    }
+    return text;
+}
+
+void steps(const StepsOptions& options) {
+    const Model model = load_model(options.scene);
+    const render::Scene scene = scene_of(model, options.scene);
+    auto polygons = chosen(
+        render::trace_polygons(scene, options.scene.settings, options.scene.size), options.polygon);
+    for (auto& polygon : polygons)
+        polygon = with_grey_as_one(std::move(polygon));
+    if (polygons.empty()) std::fprintf(stderr, "scanlight: no polygon is seen\n");
+    raster::save_file(options.output, report(polygons, options));
+}
+
+/// What suits a page: few pixels, intensities, the textbook's even interpolation.
+void set_defaults(SceneOptions& scene) {
+    scene.size = {24, 16};
+    scene.settings.shading = render::Shading::gouraud;
+    scene.settings.perspective = render::Perspective::affine;
+}
+
+}  // namespace
+
+void add_steps_command(CLI::App& program) {
+    auto options = std::make_shared<StepsOptions>();
+    set_defaults(options->scene);
+    CLI::App* command = program.add_subcommand(
+        "steps", "The edge table and active edge table at work, scanline by scanline");
+    add_scene_options(*command, options->scene);
+    command
+        ->add_option("--polygon", options->polygon,
+                     "a polygon by its number in the file, or all; the tallest if not given")
+        ->type_name("N|all");
+    command->add_flag("--json", options->json, "as JSON");
+    command->add_option("-o,--output", options->output, "file instead of standard output")
+        ->type_name("OUT");
+    command->footer(
+        "x is where an edge crosses the centre line of a scanline, Δx its change to the next; I "
+        "are\n"
+        "intensities (--shading gouraud), N normals (--shading phong), with their increments down\n"
+        "the edges and along the spans. Pixel i has its centre at i + 1/2.\n"
+        "Examples:\n"
+        "  scanlight steps shape:star --view 0,0\n"
+        "  scanlight steps ngon:3 --view 10,30 --light point:0,0,2 --shading phong\n"
+        "  scanlight steps cube --polygon all --json -o cube.json");
+    command->callback([options] { steps(*options); });
+}
+
+}  // namespace scanlight::apps

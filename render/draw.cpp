@@ -1,0 +1,114 @@
+#include "render/draw.h"
+
+#include "render/flat.h"
+#include "render/gouraud.h"
+#include "render/phong.h"
+#include "render/surface_data.h"
+
+namespace scanlight::render {
+
+namespace {
+
+DrawCounts draw_gouraud(const PlacedMesh& placed, const Frame& frame, const Settings& settings,
+                        raster::Framebuffer& target) {
+    const GouraudTechnique technique(placed, frame, settings.illumination, settings.sides);
+    return draw_polygons(placed, technique, frame, settings, target.depth, target.color);
+}
+
+template <Paint paint>
+DrawCounts draw_phong(const PlacedMesh& placed, const Frame& frame, const Settings& settings,
+                      raster::Framebuffer& target) {
+    return shading::with_illumination(settings.illumination, [&](auto model) {
+        const PhongTechnique<decltype(model), paint> technique(placed, frame, model);
+        return draw_polygons(placed, technique, frame, settings, target.depth, target.color);
+    });
+}
+
+DrawCounts draw_flat(const PlacedMesh& placed, const Frame& frame, const Settings& settings,
+                     raster::Framebuffer& target) {
+    const FlatTechnique technique(placed, frame, settings.illumination);
+    return draw_polygons(placed, technique, frame, settings, target.depth, target.color);
+}
+
+/// Techniques are chosen here, once an object, and nowhere further in.
+DrawCounts draw_object(const PlacedMesh& placed, const Frame& frame, const Settings& settings,
+                       raster::Framebuffer& target) {
+    switch (settings.shading) {
+        case Shading::flat:
+            return draw_flat(placed, frame, settings, target);
+        case Shading::gouraud:
+            return draw_gouraud(placed, frame, settings, target);
+        case Shading::phong:
+            return placed.mesh->vertices.has_colors()
+                       ? draw_phong<Paint::vertices>(placed, frame, settings, target)
+                       : draw_phong<Paint::material>(placed, frame, settings, target);
+    }
+    return {};
+}
+
+}  // namespace
+
+DrawCounts& DrawCounts::operator+=(const DrawCounts& other) {
+    polygons += other.polygons;
+    outside += other.outside;
+    culled += other.culled;
+    drawn += other.drawn;
+    spans += other.spans;
+    pixels_tested += other.pixels_tested;
+    pixels_passed += other.pixels_passed;
+    return *this;
+}
+
+Drawing draw(const Scene& scene, const Settings& settings, raster::Viewport viewport) {
+    Drawing result{raster::Framebuffer(viewport, scene.background), {}};
+    const Frame frame = frame_of(scene, settings.distances, viewport);
+    for (const Object& object : scene.objects) {
+        result.counts += draw_object(placed(object, frame), frame, settings, result.framebuffer);
+    }
+    return result;
+}
+
+raster::Plane<glm::vec3> draw_normals(const Scene& scene, const Settings& settings,
+                                      raster::Viewport viewport) {
+    raster::Plane<raster::Depth> depth(viewport, raster::depth_clear);
+    raster::Plane<glm::vec3> normals(viewport, glm::vec3(0.0f));
+    const Frame frame = frame_of(scene, settings.distances, viewport);
+    for (const Object& object : scene.objects) {
+        const PlacedMesh mesh = placed(object, frame);
+        draw_polygons(mesh, NormalTechnique(mesh), frame, settings, depth, normals);
+    }
+    return normals;
+}
+
+raster::Plane<std::uint32_t> draw_ids(const Scene& scene, const Settings& settings,
+                                      raster::Viewport viewport) {
+    raster::Plane<raster::Depth> depth(viewport, raster::depth_clear);
+    raster::Plane<std::uint32_t> ids(viewport, 0);
+    const Frame frame = frame_of(scene, settings.distances, viewport);
+    std::uint32_t first_id = 1;
+    for (const Object& object : scene.objects) {
+        const PlacedMesh mesh = placed(object, frame);
+        draw_polygons(mesh, IdTechnique(mesh, first_id), frame, settings, depth, ids);
+        if (!object.mesh->face_id.empty()) first_id += object.mesh->face_id.back() + 1;
+    }
+    return ids;
+}
+
+raster::Plane<float> eye_distances(const raster::Plane<raster::Depth>& depth,
+                                   const Camera& camera) {
+    raster::Plane<float> distances({depth.width(), depth.height()}, 0.0f);
+    const double n = camera.near;
+    const double f = camera.far;
+    for (int y = 0; y < depth.height(); ++y) {
+        for (int x = 0; x < depth.width(); ++x) {
+            if (depth.at(x, y) == raster::depth_clear) continue;
+            const double z = raster::ndc_from_depth(depth.at(x, y));
+            distances.at(x, y) = static_cast<float>(camera.projection == Projection::perspective
+                                                        ? n * f / (f - z * (f - n))
+                                                        : n + z * (f - n));
+        }
+    }
+    return distances;
+}
+
+}  // namespace scanlight::render

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+#include "raster/framebuffer.h"
+#include "render/draw_polygons.h"
+#include "render/scene.h"
+
+namespace scanlight::render {
+
+struct Drawing {
+    raster::Framebuffer framebuffer;
+    DrawCounts counts;
+};
+
+/// Draws a scene: hidden surfaces removed by a z-buffer, polygons in the order of the objects and
+/// of their faces. The same picture, to the bit, on every machine.
+Drawing draw(const Scene& scene, const Settings& settings, raster::Viewport viewport);
+
+/// The normals that Phong shading lights: unit, world space; zero where nothing is.
+raster::Plane<glm::vec3> draw_normals(const Scene& scene, const Settings& settings,
+                                      raster::Viewport viewport);
+
+/// Which polygon each pixel shows: its place in its file plus 1, counted on over the objects;
+/// 0 where nothing is.
+raster::Plane<std::uint32_t> draw_ids(const Scene& scene, const Settings& settings,
+                                      raster::Viewport viewport);
+
+/// Distance from the eye along the view, in world units; 0 where nothing is.
+raster::Plane<float> eye_distances(const raster::Plane<raster::Depth>& depth, const Camera& camera);
+
+}  // namespace scanlight::render

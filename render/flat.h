@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "raster/fragments.h"
+#include "render/placed_mesh.h"
+
+namespace scanlight::render {
+
+/// Flat shading: one intensity a polygon, from its geometric normal, lit at the mean of its
+/// corners (Bouknight 1970).
+class FlatTechnique {
+public:
+    static constexpr int attribute_count = 0;
+    using Pixel = raster::Rgba;
+
+    FlatTechnique(const PlacedMesh& placed, const Frame& frame, shading::Illumination illumination)
+        : placed_(placed), frame_(frame), illumination_(illumination) {}
+
+    std::array<float, 0> corner(std::size_t, std::uint32_t, Side) const { return {}; }
+
+    /// What the polygon's fragments need beyond their attributes.
+    raster::Rgba polygon(std::size_t face, Side side) const;
+
+    raster::Rgba shade(const raster::Fragment<0>&, const raster::Rgba& color) const {
+        return color;
+    }
+
+private:
+    const PlacedMesh& placed_;
+    const Frame& frame_;
+    shading::Illumination illumination_;
+};
+
+}  // namespace scanlight::render

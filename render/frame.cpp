@@ -1,0 +1,47 @@
+#include "render/frame.h"
+
+#include <glm/matrix.hpp>
+
+namespace scanlight::render {
+
+namespace {
+
+using Light = shading::Light<float>;
+
+glm::dmat4 ndc_from_screen(raster::Viewport viewport) {
+    glm::dmat4 m(1.0);
+    m[0][0] = 2.0 / viewport.width;
+    m[1][1] = -2.0 / viewport.height;
+    m[3] = glm::dvec4(-1.0, 1.0, 0.0, 1.0);
+    return m;
+}
+
+Light at_infinity(const Light& light, const glm::vec3& target) {
+    if (light.kind == Light::Kind::directional) return light;
+    return shading::directional_light(light.place - target, light.intensity);
+}
+
+shading::Lighting<float> lights_at_infinity(shading::Lighting<float> lighting,
+                                            const glm::vec3& target) {
+    for (Light& light : lighting.lights)
+        light = at_infinity(light, target);
+    return lighting;
+}
+
+}  // namespace
+
+Frame frame_of(const Scene& scene, Distances distances, raster::Viewport viewport) {
+    const Camera& camera = scene.camera;
+    const double aspect = static_cast<double>(viewport.width) / viewport.height;
+    const glm::dmat4 clip_from_world = clip_from_eye(camera, aspect) * eye_from_world(camera);
+    Frame frame{viewport, clip_from_world,
+                glm::mat4(glm::inverse(clip_from_world) * ndc_from_screen(viewport)),
+                glm::vec4(viewpoint(camera)), scene.lighting};
+    if (distances == Distances::infinite) {
+        frame.viewpoint = glm::vec4(glm::vec3(camera.eye - camera.target), 0.0f);
+        frame.lighting = lights_at_infinity(scene.lighting, glm::vec3(camera.target));
+    }
+    return frame;
+}
+
+}  // namespace scanlight::render

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include "raster/fixed.h"
+#include "raster/project.h"
+#include "render/scene.h"
+#include "shading/vector.h"
+
+namespace scanlight::render {
+
+/// What all polygons of one picture share.
+struct Frame {
+    raster::Viewport viewport;
+    glm::dmat4 clip_from_world;
+    glm::mat4 world_from_screen;  // (x, y in pixels, depth 0 to 1, 1), then divide by w
+    glm::vec4 viewpoint;          // world, homogeneous: the eye, or the direction to it
+    shading::Lighting<float> lighting;
+
+    /// V: unit, from a point in world space towards the eye.
+    glm::vec3 view_from(const glm::vec3& point) const {
+        const glm::vec3 towards_eye = glm::vec3(viewpoint) - point * viewpoint.w;
+        return shading::unit_or(towards_eye, glm::vec3(0.0f, 0.0f, 1.0f));
+    }
+
+    /// The point of the surface that a pixel's centre shows, in world space, from its depth. Depth
+    /// is exact over the screen, so no position has to be interpolated.
+    glm::vec3 point_at(int x, int y, raster::Depth depth) const {
+        const glm::vec4 p = world_from_screen * glm::vec4(static_cast<float>(x) + 0.5f,
+                                                          static_cast<float>(y) + 0.5f,
+                                                          raster::ndc_from_depth(depth), 1.0f);
+        return glm::vec3(p) / p.w;
+    }
+};
+
+/// Applies the settings' distances: with eye and lights at infinity each has one direction, that
+/// from the camera's target.
+Frame frame_of(const Scene& scene, Distances distances, raster::Viewport viewport);
+
+}  // namespace scanlight::render

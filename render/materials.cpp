@@ -1,0 +1,20 @@
+#include "render/materials.h"
+
+namespace scanlight::render {
+
+shading::Material<float> shading_material(const mesh::Material& material) {
+    const bool has_highlight = material.illumination >= 2;
+    return {material.ambient, material.diffuse, has_highlight ? material.specular : glm::vec3(0.0f),
+            static_cast<double>(material.exponent)};
+}
+
+std::vector<shading::Material<float>> shading_materials(
+    const std::vector<mesh::Material>& materials) {
+    std::vector<shading::Material<float>> result;
+    result.reserve(materials.size());
+    for (const mesh::Material& material : materials)
+        result.push_back(shading_material(material));
+    return result;
+}
+
+}  // namespace scanlight::render

@@ -1,0 +1,44 @@
+#include "render/placed_mesh.h"
+
+#include <cassert>
+
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+namespace scanlight::render {
+
+namespace {
+
+glm::vec3 unit_normal(const glm::mat3& world_from_object, const glm::vec3& normal) {
+    return shading::unit_or(world_from_object * normal, normal);
+}
+
+}  // namespace
+
+PlacedMesh placed(const Object& object, const Frame& frame) {
+    const mesh::Mesh& mesh = *object.mesh;
+    assert(object.materials.size() == mesh.materials.size());
+    const glm::dmat3 linear(object.world_from_object);
+    const glm::mat4 clip_from_object(frame.clip_from_world * object.world_from_object);
+    const glm::mat4 world_from_object(object.world_from_object);
+    const glm::mat3 normals_from_object(glm::transpose(glm::inverse(linear)));
+
+    PlacedMesh result{&mesh, &object.materials, glm::determinant(linear) < 0.0, {}, {}, {}, {}};
+    const std::size_t count = mesh.vertices.size();
+    result.clip.reserve(count);
+    result.points.reserve(count);
+    result.normals.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::vec4 position(mesh.vertices.position(i), 1.0f);
+        result.clip.push_back(clip_from_object * position);
+        result.points.emplace_back(world_from_object * position);
+        result.normals.push_back(unit_normal(normals_from_object, mesh.vertices.normal(i)));
+    }
+    result.face_normals.reserve(mesh.face_count());
+    for (const glm::vec3& normal : mesh.face_normals) {
+        result.face_normals.push_back(unit_normal(normals_from_object, normal));
+    }
+    return result;
+}
+
+}  // namespace scanlight::render

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include "mesh/mesh.h"
+#include "raster/framebuffer.h"
+#include "render/camera.h"
+#include "shading/illumination.h"
+#include "shading/material.h"
+
+namespace scanlight::render {
+
+/// A mesh placed in the world. The mesh is the caller's, and outlives the object.
+struct Object {
+    const mesh::Mesh* mesh = nullptr;
+    std::vector<shading::Material<float>> materials;  // one for each of the mesh's
+    glm::dmat4 world_from_object{1.0};
+};
+
+struct Scene {
+    Camera camera;
+    shading::Lighting<float> lighting;  // world space
+    std::vector<Object> objects;
+    raster::Rgba background{0.0f};
+};
+
+enum class Shading { flat, gouraud, phong };
+
+/// Whether attributes run evenly over the screen, as in the chapter, or over the object.
+enum class Perspective { affine, correct };
+
+/// Which polygons to leave out, by the way they face.
+enum class Cull { none, back, front };
+
+/// A surface lit on its front only, or on the side that is seen: then the normal of a polygon
+/// that shows its back is turned round.
+enum class Sides { one, two };
+
+/// Where the eye and the lights are for the illumination: at their places, or at infinity, where
+/// their directions are the same for every point (the chapter's simplification).
+enum class Distances { finite, infinite };
+
+struct Settings {
+    Shading shading = Shading::phong;
+    shading::Illumination illumination = shading::Illumination::phong;
+    Perspective perspective = Perspective::correct;
+    Cull cull = Cull::none;
+    Sides sides = Sides::two;
+    Distances distances = Distances::finite;
+};
+
+}  // namespace scanlight::render

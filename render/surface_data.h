@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "raster/fragments.h"
+#include "render/placed_mesh.h"
+
+namespace scanlight::render {
+
+/// Which polygon a pixel shows: its place in the mesh file plus 1, counted on from one object to
+/// the next. 0 is the background.
+class IdTechnique {
+public:
+    static constexpr int attribute_count = 0;
+    using Pixel = std::uint32_t;
+
+    IdTechnique(const PlacedMesh& placed, std::uint32_t first_id)
+        : placed_(placed), first_id_(first_id) {}
+
+    std::array<float, 0> corner(std::size_t, std::uint32_t, Side) const { return {}; }
+    std::uint32_t polygon(std::size_t face, Side) const {
+        return first_id_ + placed_.mesh->face_id[face];
+    }
+    std::uint32_t shade(const raster::Fragment<0>&, std::uint32_t id) const { return id; }
+
+private:
+    const PlacedMesh& placed_;
+    std::uint32_t first_id_;
+};
+
+/// The unit normal that Phong shading lights at a pixel; world space. Zero is the background.
+class NormalTechnique {
+public:
+    static constexpr int attribute_count = 3;
+    using Pixel = glm::vec3;
+
+    explicit NormalTechnique(const PlacedMesh& placed) : placed_(placed) {}
+
+    std::array<float, 3> corner(std::size_t, std::uint32_t vertex, Side side) const {
+        const glm::vec3 n =
+            side == Side::front ? placed_.normals[vertex] : -placed_.normals[vertex];
+        return {n.x, n.y, n.z};
+    }
+    glm::vec3 polygon(std::size_t face, Side side) const {
+        return side == Side::front ? placed_.face_normals[face] : -placed_.face_normals[face];
+    }
+    glm::vec3 shade(const raster::Fragment<3>& fragment, const glm::vec3& face_normal) const {
+        const auto& a = fragment.attributes;
+        return shading::unit_or(glm::vec3(a[0], a[1], a[2]), face_normal);
+    }
+
+private:
+    const PlacedMesh& placed_;
+};
+
+}  // namespace scanlight::render

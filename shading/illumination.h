@@ -1,0 +1,122 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "shading/ambient.h"
+#include "shading/blinn.h"
+#include "shading/gouraud_1971.h"
+#include "shading/lambert.h"
+#include "shading/light.h"
+#include "shading/material.h"
+#include "shading/phong.h"
+#include "shading/surface.h"
+
+namespace scanlight::shading {
+
+// The simple illumination models, in colour:
+//     I = I_a K_a + sum over the lights of I_p [K_d diffuse + K_s highlight]
+// A model is a function object that gives one light's part of the sum, so that the compiler builds
+// each model's loop of its own and none asks per pixel which it is. A new model is a new struct
+// here and a new case in `with_illumination`.
+
+/// Diffuse light only.
+struct Lambert {
+    template <class Real, class Number>
+    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number>& material,
+                         const Incident<Real>& light) const noexcept {
+        const Rgb<Real> K_d(material.diffuse);
+        return light.intensity * (K_d * lambert(surface.normal, light.direction));
+    }
+};
+
+/// Diffuse light and a highlight around the mirrored light, (R.V)^n.
+struct Phong {
+    template <class Real, class Number>
+    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number>& material,
+                         const Incident<Real>& light) const noexcept {
+        const auto& [point, N, V] = surface;
+        const Vec3<Real>& L = light.direction;
+        const Rgb<Real> K_d(material.diffuse);
+        const Rgb<Real> K_s(material.specular);
+        return light.intensity * (K_d * lambert(N, L) + K_s * phong(N, L, V, material.exponent));
+    }
+};
+
+/// Diffuse light and a highlight around the half vector, (N.H)^n.
+struct Blinn {
+    template <class Real, class Number>
+    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number>& material,
+                         const Incident<Real>& light) const noexcept {
+        const auto& [point, N, V] = surface;
+        const Vec3<Real>& L = light.direction;
+        const Vec3<Real> H = half_vector(L, V);
+        const Rgb<Real> K_d(material.diffuse);
+        const Rgb<Real> K_s(material.specular);
+        return light.intensity * (K_d * lambert(N, L) + K_s * blinn(N, L, H, material.exponent));
+    }
+};
+
+/// Diffuse light divided by r + k. The division is the model's own fall-off: lights are meant to
+/// keep Falloff::constant, or both take effect.
+struct Gouraud1971 {
+    float k = 1;  // world units
+
+    template <class Real, class Number>
+    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number>& material,
+                         const Incident<Real>& light) const noexcept {
+        const Rgb<Real> K_d(material.diffuse);
+        return light.intensity *
+               (K_d * gouraud_1971(surface.normal, light.direction, light.distance, Real(k)));
+    }
+};
+
+/// All the light of a scene.
+template <class Number>
+struct Lighting {
+    Rgb<Number> ambient{Number(0)};  // I_a
+    std::vector<Light<Number>> lights;
+};
+
+/// The light that `surface` sends to its viewer: the ambient term, then each light in the order of
+/// the list, added one by one, for the bits depend on it. World space; linear, not clamped, never
+/// negative or NaN as long as material and lights are neither and all is finite. Nothing casts a
+/// shadow here: who knows that a light is hidden leaves its term out.
+template <class Model, class Real, class Number>
+Rgb<Real> illuminate(const Model& model, const Surface<Real>& surface,
+                     const Material<Number>& material, const Lighting<Number>& lighting) noexcept {
+    Rgb<Real> intensity = ambient(Rgb<Real>(lighting.ambient), Rgb<Real>(material.ambient));
+    for (const Light<Number>& light : lighting.lights)
+        intensity = intensity + model(surface, material, incident_at(light, surface.point));
+    return intensity;
+}
+
+/// The same for a model with its usual constants: `illuminate<Phong>(…)`.
+template <class Model, class Real, class Number>
+Rgb<Real> illuminate(const Surface<Real>& surface, const Material<Number>& material,
+                     const Lighting<Number>& lighting) noexcept {
+    return illuminate(Model{}, surface, material, lighting);
+}
+
+/// Which model, where it is chosen while the program runs.
+enum class Illumination { lambert, gouraud71, phong, blinn };
+
+/// Calls `use` with the model's function object and returns what it returns. This stands outside
+/// the loop over pixels:
+///     with_illumination(kind, [&](auto model) { for (…) … illuminate(model, …); });
+template <class Use>
+decltype(auto) with_illumination(Illumination kind, Use&& use) {
+    switch (kind) {
+        case Illumination::gouraud71:
+            return std::forward<Use>(use)(Gouraud1971{});
+        case Illumination::phong:
+            return std::forward<Use>(use)(Phong{});
+        case Illumination::blinn:
+            return std::forward<Use>(use)(Blinn{});
+        case Illumination::lambert:
+            break;
+    }
+    return std::forward<Use>(use)(Lambert{});
+}
+
+}  // namespace scanlight::shading

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "shading/exponent.h"
+#include "shading/vector.h"
+
+namespace scanlight::shading {
+
+/// How a surface answers light. Each K is linear, channel by channel, and usually within 0 to 1.
+template <class Number>
+struct Material {
+    Rgb<Number> ambient{Number(0.2)};  // K_a
+    Rgb<Number> diffuse{Number(0.8)};  // K_d
+    Rgb<Number> specular{Number(0)};   // K_s
+    Exponent exponent = 1;  // n, usually 1 to 2000: the larger, the smaller the highlight
+};
+
+}  // namespace scanlight::shading
