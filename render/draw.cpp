@@ -11,14 +11,14 @@ namespace {
 
 DrawCounts draw_gouraud(const PlacedMesh& placed, const Frame& frame, const Settings& settings,
                         raster::Framebuffer& target) {
-    const GouraudTechnique technique(placed, frame, settings.illumination, settings.sides);
+    const GouraudTechnique technique(placed, frame, settings);
     return draw_polygons(placed, technique, frame, settings, target.depth, target.color);
 }
 
 template <Paint paint>
 DrawCounts draw_phong(const PlacedMesh& placed, const Frame& frame, const Settings& settings,
                       raster::Framebuffer& target) {
-    return shading::with_illumination(settings.illumination, [&](auto model) {
+    return with_model(settings, [&](auto model) {
         const PhongTechnique<decltype(model), paint> technique(placed, frame, model);
         return draw_polygons(placed, technique, frame, settings, target.depth, target.color);
     });
@@ -26,7 +26,7 @@ DrawCounts draw_phong(const PlacedMesh& placed, const Frame& frame, const Settin
 
 DrawCounts draw_flat(const PlacedMesh& placed, const Frame& frame, const Settings& settings,
                      raster::Framebuffer& target) {
-    const FlatTechnique technique(placed, frame, settings.illumination);
+    const FlatTechnique technique(placed, frame, settings);
     return draw_polygons(placed, technique, frame, settings, target.depth, target.color);
 }
 

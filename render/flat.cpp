@@ -30,7 +30,7 @@ raster::Rgba FlatTechnique::polygon(std::size_t face, Side side) const {
         side == Side::front ? placed_.face_normals[face] : -placed_.face_normals[face];
     const shading::Surface<float> surface{point, normal, frame_.view_from(point)};
     const auto& material = placed_.material_of(face);
-    return shading::with_illumination(illumination_, [&](auto model) {
+    return with_model(settings_, [&](auto model) {
         const bool has_colors = placed_.mesh->vertices.has_colors();
         const glm::vec3 light =
             illuminate(model, surface,

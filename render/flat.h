@@ -16,8 +16,8 @@ public:
     static constexpr int attribute_count = 0;
     using Pixel = raster::Rgba;
 
-    FlatTechnique(const PlacedMesh& placed, const Frame& frame, shading::Illumination illumination)
-        : placed_(placed), frame_(frame), illumination_(illumination) {}
+    FlatTechnique(const PlacedMesh& placed, const Frame& frame, const Settings& settings)
+        : placed_(placed), frame_(frame), settings_(settings) {}
 
     std::array<float, 0> corner(std::size_t, std::uint32_t, Side) const { return {}; }
 
@@ -31,7 +31,7 @@ public:
 private:
     const PlacedMesh& placed_;
     const Frame& frame_;
-    shading::Illumination illumination_;
+    const Settings& settings_;
 };
 
 }  // namespace scanlight::render

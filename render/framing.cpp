@@ -51,9 +51,20 @@ Box box_in_eye_space(const Camera& camera, const std::vector<Object>& objects) {
     return box;
 }
 
+double length(const glm::dvec3& v) {
+    return std::sqrt(glm::dot(v, v));
+}
+
+/// The diagonal; of a single point what can be told from nothing beside its coordinates.
+double size_of(const Box& box) {
+    const double reach = std::max(length(box.low), length(box.high));
+    return std::max({length(box.high - box.low), 1e-6 * reach, 1e-30});
+}
+
+/// The axis of the view, backwards.
 glm::dvec3 towards_eye(const Camera& camera) {
-    const glm::dvec3 v = camera.eye - camera.target;
-    return v / std::sqrt(glm::dot(v, v));
+    const glm::dmat4 view = eye_from_world(camera);
+    return {view[0][2], view[1][2], view[2][2]};
 }
 
 /// What the objects take of the picture, in units of its half height: by a perspective camera at
@@ -73,9 +84,8 @@ Box box_in_picture(const Camera& camera, const std::vector<Object>& objects) {
 /// Moves the camera sideways, so that the objects stand in the middle of the picture.
 Camera centred(Camera camera, const std::vector<Object>& objects) {
     const glm::dvec3 off = box_in_picture(camera, objects).centre();
-    const glm::dvec3 v = camera.eye - camera.target;
     const double distance =
-        camera.projection == Projection::perspective ? std::sqrt(glm::dot(v, v)) : 1.0;
+        camera.projection == Projection::perspective ? length(camera.eye - camera.target) : 1.0;
     const glm::dmat4 view = eye_from_world(camera);
     const glm::dvec3 right(view[0][0], view[1][0], view[2][0]);
     const glm::dvec3 up(view[0][1], view[1][1], view[2][1]);
@@ -86,26 +96,30 @@ Camera centred(Camera camera, const std::vector<Object>& objects) {
 }
 
 /// The smallest distance from which a perspective camera sees all: a point at height y and z before
-/// the target's plane needs d >= z + m |y|.
-Camera at_fitting_distance(Camera camera, const std::vector<Object>& objects, double aspect) {
+/// the target's plane needs d >= z + m |y|, and some room before the eye.
+Camera at_fitting_distance(Camera camera, const std::vector<Object>& objects, double aspect,
+                           double size) {
+    const double room = 1e-3 * size;
     const glm::dmat4 view = eye_from_world(camera);
     const double target_z = (view * glm::dvec4(camera.target, 1.0)).z;
     double distance = 0.0;
     for_each_point(objects, [&](const glm::dvec3& p) {
         const glm::dvec4 e = view * glm::dvec4(p, 1.0);
         const double reach = std::max(std::abs(e.x) / aspect, std::abs(e.y));
-        distance = std::max(distance, e.z - target_z + margin * camera.magnification * reach);
+        const double needed = std::max(margin * camera.magnification * reach, room);
+        distance = std::max(distance, e.z - target_z + needed);
     });
     camera.eye = camera.target + towards_eye(camera) * distance;
     return camera;
 }
 
-Camera framed_in_perspective(Camera camera, const std::vector<Object>& objects, double aspect) {
+Camera framed_in_perspective(Camera camera, const std::vector<Object>& objects, double aspect,
+                             double size) {
     constexpr int rounds = 4;  // the middle moves with the distance; it settles at once
     for (int i = 0; i < rounds; ++i) {
-        camera = centred(at_fitting_distance(camera, objects, aspect), objects);
+        camera = centred(at_fitting_distance(camera, objects, aspect, size), objects);
     }
-    return at_fitting_distance(camera, objects, aspect);
+    return at_fitting_distance(camera, objects, aspect, size);
 }
 
 Camera framed_in_parallel(Camera camera, const std::vector<Object>& objects, double aspect) {
@@ -128,13 +142,12 @@ glm::dvec3 direction_of(const ViewAngles& angles) {
 Camera framed(Camera camera, const std::vector<Object>& objects, double aspect) {
     const Box box = box_of(objects);
     if (box.empty()) return camera;
-    const glm::dvec3 size = box.high - box.low;
-    const double diameter = std::max(std::sqrt(glm::dot(size, size)), 1e-30);
+    const double size = size_of(box);
     const glm::dvec3 direction = towards_eye(camera);
     camera.target = box.centre();
-    camera.eye = camera.target + direction * (2.0 * diameter);
+    camera.eye = camera.target + direction * (2.0 * size);
     camera = camera.projection == Projection::perspective
-                 ? framed_in_perspective(camera, objects, aspect)
+                 ? framed_in_perspective(camera, objects, aspect, size)
                  : framed_in_parallel(camera, objects, aspect);
     return with_fitted_planes(camera, objects);
 }

@@ -19,12 +19,12 @@ std::vector<std::uint32_t> vertex_materials(const mesh::Mesh& mesh) {
 }  // namespace
 
 std::vector<glm::vec3> illuminate_vertices(const PlacedMesh& placed, const Frame& frame,
-                                           shading::Illumination illumination, Side side) {
+                                           const Settings& settings, Side side) {
     const mesh::Mesh& mesh = *placed.mesh;
     const float turn = side == Side::front ? 1.0f : -1.0f;
     const auto materials = vertex_materials(mesh);
     std::vector<glm::vec3> colors(mesh.vertices.size());
-    shading::with_illumination(illumination, [&](auto model) {
+    with_model(settings, [&](auto model) {
         for (std::size_t i = 0; i < colors.size(); ++i) {
             const shading::Surface<float> surface{placed.points[i], turn * placed.normals[i],
                                                   frame.view_from(placed.points[i])};

@@ -12,7 +12,7 @@ namespace scanlight::render {
 
 /// The intensity of each vertex as it is seen from one side. Linear, unclamped.
 std::vector<glm::vec3> illuminate_vertices(const PlacedMesh& placed, const Frame& frame,
-                                           shading::Illumination illumination, Side side);
+                                           const Settings& settings, Side side);
 
 /// Gouraud shading: intensities at the vertices, interpolated bilinearly (Gouraud 1971).
 /// A constant 1 runs with the colour: in perspective it becomes q, to divide by.
@@ -22,11 +22,11 @@ public:
     using Pixel = raster::Rgba;
     struct Nothing {};
 
-    GouraudTechnique(const PlacedMesh& placed, const Frame& frame,
-                     shading::Illumination illumination, Sides sides)
-        : front_(illuminate_vertices(placed, frame, illumination, Side::front)),
-          back_(sides == Sides::two ? illuminate_vertices(placed, frame, illumination, Side::back)
-                                    : std::vector<glm::vec3>()) {}
+    GouraudTechnique(const PlacedMesh& placed, const Frame& frame, const Settings& settings)
+        : front_(illuminate_vertices(placed, frame, settings, Side::front)),
+          back_(settings.sides == Sides::two
+                    ? illuminate_vertices(placed, frame, settings, Side::back)
+                    : std::vector<glm::vec3>()) {}
 
     std::array<float, attribute_count> corner(std::size_t, std::uint32_t vertex, Side side) const {
         const glm::vec3& color = (side == Side::front ? front_ : back_)[vertex];

@@ -19,8 +19,7 @@ PlacedMesh placed(const Object& object, const Frame& frame) {
     const mesh::Mesh& mesh = *object.mesh;
     assert(object.materials.size() == mesh.materials.size());
     const glm::dmat3 linear(object.world_from_object);
-    const glm::mat4 clip_from_object(frame.clip_from_world * object.world_from_object);
-    const glm::mat4 world_from_object(object.world_from_object);
+    const glm::dmat4 clip_from_object = frame.clip_from_world * object.world_from_object;
     const glm::mat3 normals_from_object(glm::transpose(glm::inverse(linear)));
 
     PlacedMesh result{&mesh, &object.materials, glm::determinant(linear) < 0.0, {}, {}, {}, {}};
@@ -29,9 +28,10 @@ PlacedMesh placed(const Object& object, const Frame& frame) {
     result.points.reserve(count);
     result.normals.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
-        const glm::vec4 position(mesh.vertices.position(i), 1.0f);
-        result.clip.push_back(clip_from_object * position);
-        result.points.emplace_back(world_from_object * position);
+        // In double: far from the origin the camera's place and the vertex's cancel.
+        const glm::dvec4 position(glm::dvec3(mesh.vertices.position(i)), 1.0);
+        result.clip.emplace_back(clip_from_object * position);
+        result.points.emplace_back(object.world_from_object * position);
         result.normals.push_back(unit_normal(normals_from_object, mesh.vertices.normal(i)));
     }
     result.face_normals.reserve(mesh.face_count());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -45,10 +46,18 @@ enum class Distances { finite, infinite };
 struct Settings {
     Shading shading = Shading::phong;
     shading::Illumination illumination = shading::Illumination::phong;
+    float gouraud71_k = 1.0f;  // of that model, in world units
     Perspective perspective = Perspective::correct;
     Cull cull = Cull::none;
     Sides sides = Sides::two;
     Distances distances = Distances::finite;
 };
+
+/// Calls `use` with the function object of the settings' illumination model.
+template <class Use>
+decltype(auto) with_model(const Settings& settings, Use&& use) {
+    return shading::with_illumination(settings.illumination, std::forward<Use>(use),
+                                      shading::Gouraud1971{settings.gouraud71_k});
+}
 
 }  // namespace scanlight::render

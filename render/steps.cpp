@@ -113,9 +113,8 @@ std::vector<PolygonSteps> trace_polygons(const Scene& scene, const Settings& set
         case Shading::flat:
             return trace_with(mesh, IdTechnique(mesh, 1), frame, settings, {});
         case Shading::gouraud:
-            return trace_with(mesh,
-                              GouraudTechnique(mesh, frame, settings.illumination, settings.sides),
-                              frame, settings, {"I_r", "I_g", "I_b"});
+            return trace_with(mesh, GouraudTechnique(mesh, frame, settings), frame, settings,
+                              {"I_r", "I_g", "I_b"});
         case Shading::phong:
             return trace_with(mesh, NormalTechnique(mesh), frame, settings, {"N_x", "N_y", "N_z"});
     }

@@ -104,11 +104,12 @@ enum class Illumination { lambert, gouraud71, phong, blinn };
 /// Calls `use` with the model's function object and returns what it returns. This stands outside
 /// the loop over pixels:
 ///     with_illumination(kind, [&](auto model) { for (…) … illuminate(model, …); });
+/// A model with a constant of its own is an argument.
 template <class Use>
-decltype(auto) with_illumination(Illumination kind, Use&& use) {
+decltype(auto) with_illumination(Illumination kind, Use&& use, Gouraud1971 gouraud71 = {}) {
     switch (kind) {
         case Illumination::gouraud71:
-            return std::forward<Use>(use)(Gouraud1971{});
+            return std::forward<Use>(use)(gouraud71);
         case Illumination::phong:
             return std::forward<Use>(use)(Phong{});
         case Illumination::blinn:

@@ -41,15 +41,15 @@ Json json_of(const raster::Difference& d) {
     return json;
 }
 
-void print(const raster::Difference& d) {
-    std::printf("different  %lld of %lld pixels\n", static_cast<long long>(d.different_pixels),
-                static_cast<long long>(d.pixels));
-    std::printf("mean       %.6g of %g\n", d.mean_absolute, d.peak);
-    std::printf("rms        %.6g\n", d.root_mean_square);
-    std::printf("psnr       %.4g dB\n", raster::psnr_db(d));
+void print(const raster::Difference& d, std::FILE* to) {
+    std::fprintf(to, "different  %lld of %lld pixels\n",
+                 static_cast<long long>(d.different_pixels), static_cast<long long>(d.pixels));
+    std::fprintf(to, "mean       %.6g of %g\n", d.mean_absolute, d.peak);
+    std::fprintf(to, "rms        %.6g\n", d.root_mean_square);
+    std::fprintf(to, "psnr       %.4g dB\n", raster::psnr_db(d));
     if (d.worst) {
-        std::printf("worst      %g and %g at pixel (%d, %d), channel %d\n", d.worst->first,
-                    d.worst->second, d.worst->x, d.worst->y, d.worst->channel);
+        std::fprintf(to, "worst      %g and %g at pixel (%d, %d), channel %d\n", d.worst->first,
+                     d.worst->second, d.worst->x, d.worst->y, d.worst->channel);
     }
 }
 
@@ -58,10 +58,11 @@ void diff(const DiffOptions& options) {
     const raster::AnyImage first = raster::load_image(options.first);
     const raster::AnyImage second = raster::load_image(options.second);
     const raster::Difference difference = raster::compare(first, second);
+    std::FILE* to = options.output == "-" ? stderr : stdout;  // a picture keeps a pipe to itself
     if (options.json) {
-        std::printf("%s\n", json_of(difference).dump(2).c_str());
+        std::fprintf(to, "%s\n", json_of(difference).dump(2).c_str());
     } else {
-        print(difference);
+        print(difference, to);
     }
     if (!options.output.empty()) {
         raster::save_image(options.output, raster::difference_image(first, second));

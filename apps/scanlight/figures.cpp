@@ -29,27 +29,36 @@ void paste(raster::Image8& sheet, const raster::Image8& panel, int x) {
 
 }  // namespace
 
+// clang-format off
 const std::vector<Figure>& figures() {
     static const std::vector<Figure> all{
         {"shading",
          "Flat, Gouraud and Phong shading of the same polygons: facets; smooth but dull, the "
          "highlight caught only where it meets a vertex; a round highlight.",
-         {"teapot:4 --shading flat", "teapot:4 --shading gouraud", "teapot:4 --shading phong"}},
+         {"teapot:4 --shading flat",
+          "teapot:4 --shading gouraud",
+          "teapot:4 --shading phong"}},
         {"stages",
          "From wireframe to picture: all edges, hidden ones removed, flat shading with edges.",
-         {"teapot:4 --wireframe", "teapot:4 --wireframe=hidden",
+         {"teapot:4 --wireframe",
+          "teapot:4 --wireframe=hidden",
           "teapot:4 --wireframe=over --shading flat"}},
-        {"teapot-phong", "Newell's teapot, Phong shading.", {"teapot:10"}},
+        {"teapot-phong",
+         "Newell's teapot, Phong shading.",
+         {"teapot:10"}},
         {"sphere-coarse",
          "A coarse sphere: its outline stays a polygon whatever the shading.",
-         {"sphere:12,6 --shading flat", "sphere:12,6 --shading gouraud",
+         {"sphere:12,6 --shading flat",
+          "sphere:12,6 --shading gouraud",
           "sphere:12,6 --shading phong"}},
         {"ambient",
-         "Ambient light alone turns a sphere into a disc.",
-         {"sphere --ambient 1 --light 0,0,1,#000", "sphere --illumination lambert --ambient 0",
+         "Ambient light alone turns a sphere into a disc; diffuse light alone leaves the side "
+         "away from the light black; both together.",
+         {"sphere --ambient 1 --light 0,0,1,#000",
+          "sphere --illumination lambert --ambient 0",
           "sphere --illumination lambert --ambient 0.3"}},
         {"exponents",
-         "The exponent n from 5 to 500: the highlight shrinks.",
+         "The exponent n = 5, 50, 500: the highlight shrinks.",
          {"sphere:48,24 --material \"kd=#305090 ks=0.8 n=5\"",
           "sphere:48,24 --material \"kd=#305090 ks=0.8 n=50\"",
           "sphere:48,24 --material \"kd=#305090 ks=0.8 n=500\""}},
@@ -60,76 +69,100 @@ const std::vector<Figure>& figures() {
           "sphere:48,24 --illumination blinn --material \"kd=#803020 ks=0.8 n=80\""}},
         {"grazing",
          "Grazing light on a floor: R.V stays round, N.H is stretched along the view.",
-         {"plane:1 --view 0,12 --light world:0,0.22,-1 --material \"kd=0.1 ks=0.9 n=30\" "
-          "--illumination phong --fov 60",
-          "plane:1 --view 0,12 --light world:0,0.22,-1 --material \"kd=0.1 ks=0.9 n=120\" "
-          "--illumination blinn --fov 60"}},
+         {"plane:1 --eye 0,0.35,1.3 --target 0,-0.1,0 --fov 60 --light world:0,0.35,-1 "
+          "--illumination phong --material \"kd=0.1 ks=0.9 n=20\"",
+          "plane:1 --eye 0,0.35,1.3 --target 0,-0.1,0 --fov 60 --light world:0,0.35,-1 "
+          "--illumination blinn --material \"kd=0.1 ks=0.9 n=80\""}},
         {"lights",
          "Three coloured lamps on a white sphere: coloured lobes, mixed where they overlap.",
-         {"sphere:48,24 --material \"kd=0.9 ks=0.3 n=60\" --light 0,1,0.8,#ff2020 --light "
-          "-0.9,-0.5,0.8,#20ff20 --light 0.9,-0.5,0.8,#2020ff --ambient 0.02"}},
+         {"sphere:48,24 --material \"kd=0.9 ks=0.3 n=60\" --ambient 0.02 --light 0,1,0.8,#ff2020 "
+          "--light -0.9,-0.5,0.8,#20ff20 --light 0.9,-0.5,0.8,#2020ff"}},
         {"gouraud-1971",
-         "Gouraud's intensity of 1971, I_p K_d (N.L) / (r + k): no highlight, and a lamp close by "
-         "lights what is near it.",
-         {"torus --illumination gouraud71 --shading gouraud --light point:0.5,1.2,1.2",
+         "Gouraud's intensity of 1971, I_p K_d (N.L) / (r + k) with k = 0.1: no highlight, and "
+         "what is near the lamp is bright. Beside it Lambert's, the same at any distance.",
+         {"torus --illumination gouraud71 --gouraud71-k 0.1 --shading gouraud "
+          "--light point:0.5,1.2,1.2",
           "torus --illumination lambert --shading gouraud --light point:0.5,1.2,1.2"}},
         {"falloff",
          "A lamp low over a floor: constant, 1/r, 1/r^2.",
-         {"plane:24 --view 20,35 --illumination lambert --light point:0,0.3,0,constant",
-          "plane:24 --view 20,35 --illumination lambert --light point:0,0.3,0,inverse",
-          "plane:24 --view 20,35 --illumination lambert --light point:0,0.3,0,inverse-square"}},
+         {"plane:24 --view 20,35 --illumination lambert --light point:0,0.3,0,#888,constant",
+          "plane:24 --view 20,35 --illumination lambert --light point:0,0.3,0,#888,inverse",
+          "plane:24 --view 20,35 --illumination lambert --light point:0,0.3,0,#888,inverse-square"}},
         {"infinity",
-         "Lights and eye at their places, and at infinity: there a flat floor is all one colour.",
+         "Eye and lamp at their places, and both at infinity: there a floor is all one colour.",
          {"plane:8 --view 20,35 --light point:0.5,0.8,0.5 --material \"kd=#607060 ks=0.6 n=20\"",
           "plane:8 --view 20,35 --light point:0.5,0.8,0.5 --material \"kd=#607060 ks=0.6 n=20\" "
           "--distances infinite"}},
         {"crease",
-         "A cube with averaged normals looks like a pillow; a crease angle keeps its edges.",
-         {"cube --crease 180", "cube --crease 60", "cylinder:24 --crease 180", "cylinder:24"}},
+         "A cube with averaged normals looks like a pillow; a crease angle keeps its edges. A "
+         "cylinder without and with one.",
+         {"cube --crease 180",
+          "cube --crease 60",
+          "cylinder:24 --crease 180",
+          "cylinder:24"}},
         {"normal-weights",
-         "Vertex normals of a cone: the faces' mean, weighted by area, by angle.",
-         {"cone:12 --crease 180 --normals mean", "cone:12 --crease 180 --normals area",
+         "Vertex normals of a cone with its base: the faces' mean, weighted by area, where the "
+         "base outweighs all, and by angle.",
+         {"cone:12 --crease 180 --normals mean",
+          "cone:12 --crease 180 --normals area",
           "cone:12 --crease 180 --normals angle"}},
         {"lost-highlight",
-         "A highlight inside a polygon: Gouraud loses it, Phong finds it.",
+         "A highlight inside a polygon: Gouraud loses it, Phong finds it; Gouraud again, on 64 "
+         "times as many triangles.",
          {"icosphere:1 --shading gouraud --material \"kd=#306030 ks=0.9 n=60\"",
           "icosphere:1 --shading phong --material \"kd=#306030 ks=0.9 n=60\"",
           "icosphere:4 --shading gouraud --material \"kd=#306030 ks=0.9 n=60\""}},
         {"orientation",
-         "Bilinear interpolation depends on how a polygon lies on the screen; triangles do not.",
-         {"torus:8,5 --shading gouraud --interpolation bilinear --projection orthographic",
-          "torus:8,5 --shading gouraud --interpolation triangulated --projection orthographic"}},
+         "Bilinear interpolation of a square's four corners depends on how it lies on the screen; "
+         "cut into triangles it does not, but shows the cut.",
+         {"cube --crease 180 --shading gouraud --illumination lambert --ambient 0 "
+          "--light 1,0.2,0.3 --view 40,30 --interpolation bilinear",
+          "cube --crease 180 --shading gouraud --illumination lambert --ambient 0 "
+          "--light 1,0.2,0.3 --view 40,30 --interpolation triangulated"}},
         {"perspective",
-         "A long floor lit by a lamp at its near end: even over the object, and over the screen.",
-         {"plane:2 --shading gouraud --view 0,8 --fov 75 --illumination lambert --light "
-          "point:0,0.4,0.9,inverse-square --perspective correct",
-          "plane:2 --shading gouraud --view 0,8 --fov 75 --illumination lambert --light "
-          "point:0,0.4,0.9,inverse-square --perspective affine"}},
+         "A floor with a lamp near the eye, Gouraud-shaded: even over the object, and even over "
+         "the screen as in the textbook, which stretches the near light.",
+         {"plane:2 --shading gouraud --eye 0,0.35,1.15 --target 0,-0.2,0 --fov 70 "
+          "--illumination lambert --light point:0,0.3,0.6,#888,inverse-square --perspective correct",
+          "plane:2 --shading gouraud --eye 0,0.35,1.15 --target 0,-0.2,0 --fov 70 "
+          "--illumination lambert --light point:0,0.3,0.6,#888,inverse-square --perspective affine"}},
         {"concave",
          "Polygons of many corners, concave ones too, are filled as they are.",
-         {"star:5 --view 0,0 --shading flat", "star:9 --view 20,30 --wireframe=over",
+         {"star:5 --view 0,0 --shading flat",
+          "star:9 --view 20,30 --wireframe=over",
           "ngon:7 --view -20,10 --shading flat"}},
         {"shapes-solids",
          "Cube, tetrahedron and octahedron.",
-         {"cube", "tetrahedron", "octahedron"}},
-        {"shapes-round", "Icosphere, torus and cone.", {"icosphere:3", "torus", "cone"}},
+         {"cube",
+          "tetrahedron",
+          "octahedron"}},
+        {"shapes-round",
+         "Icosphere, torus and cone.",
+         {"icosphere:3",
+          "torus",
+          "cone"}},
         {"cull",
-         "All polygons, back faces left out, front faces left out: the inside of the far half.",
-         {"cylinder:16 --view 30,40 --cull none", "cylinder:16 --view 30,40 --cull back",
+         "All polygons; back faces left out; front faces left out, which opens the view inside.",
+         {"cylinder:16 --view 30,40 --cull none",
+          "cylinder:16 --view 30,40 --cull back",
           "cylinder:16 --view 30,40 --cull front"}},
         {"sides",
-         "An open surface seen from behind: lit on its front only, and on the side that is seen.",
-         {"plane:4 --view 30,-40 --sides one", "plane:4 --view 30,-40 --sides two"}},
+         "The inside of a cylinder: lit on the front of each polygon only, and on the side seen.",
+         {"cylinder:24 --view 30,40 --cull front --sides one --light 0.3,0.5,1",
+          "cylinder:24 --view 30,40 --cull front --sides two --light 0.3,0.5,1"}},
         {"projections",
          "Perspective with a wide and a narrow field of view, and orthographic.",
-         {"cube --fov 90", "cube --fov 20", "cube --projection orthographic"}},
+         {"cube --fov 90",
+          "cube --fov 20",
+          "cube --projection orthographic"}},
         {"close-up",
          "The near plane and the picture's borders cut polygons without cracks.",
-         {"teapot:6 --eye 0.9,0.75,0.9 --target 0,0.3,0 --fov 90",
+         {"teapot:6 --eye 1.45,0.5,0.3 --target 0.2,0,0 --fov 100",
           "sphere:24,12 --eye 0.2,0.1,0 --target 1,0.3,0.4 --fov 100"}},
     };
     return all;
 }
+// clang-format on
 
 raster::Image8 draw_figure(const Figure& figure, raster::Viewport panel_size) {
     const int panels = static_cast<int>(figure.panels.size());

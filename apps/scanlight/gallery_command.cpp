@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -8,6 +9,7 @@
 #include "apps/scanlight/figures.h"
 #include "apps/scanlight/parse.h"
 #include "apps/scanlight/progress.h"
+#include "apps/scanlight/usage_error.h"
 #include "raster/save_file.h"
 #include "raster/save_image.h"
 
@@ -59,7 +61,17 @@ std::string page_html() {
     return html + "</html>\n";
 }
 
+void check_name(const std::string& name) {
+    const auto has_name = [&name](const Figure& figure) { return figure.name == name; };
+    if (name.empty() || std::ranges::any_of(figures(), has_name)) return;
+    std::string names;
+    for (const Figure& figure : figures())
+        names += " " + figure.name;
+    throw UsageError("no picture is named '" + name + "'; there are:" + names);
+}
+
 void gallery(const GalleryOptions& options) {
+    check_name(options.only);
     const raster::Viewport size = parse_size(options.panel_size);
     const std::filesystem::path folder(options.folder);
     std::filesystem::create_directories(folder);

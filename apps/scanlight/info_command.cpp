@@ -84,7 +84,8 @@ std::string as_words(const Json& value) {
 void info(const InfoOptions& options) {
     const Json json = json_of(load_model(options.input, {}));
     if (options.json) {
-        std::printf("%s\n", json.dump(2).c_str());
+        // The names of files and materials need not be UTF-8.
+        std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
         return;
     }
     for (const auto& [key, value] : json.items()) {

@@ -14,6 +14,10 @@ namespace scanlight::apps {
 
 namespace {
 
+// Beyond these nothing is meant, and what a float makes of it is not a number any more.
+constexpr double largest_number = 1e30;
+constexpr double largest_intensity = 1e6;
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
     for (std::size_t begin = 0;;) {
@@ -33,7 +37,7 @@ std::optional<double> number(std::string_view text) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+    return std::abs(value) <= largest_number ? std::optional(value) : std::nullopt;  // no NaN
 }
 
 std::optional<int> pixels(std::string_view text) {
@@ -78,16 +82,21 @@ std::optional<glm::vec3> hash_color(std::string_view text) {
     return std::nullopt;
 }
 
+bool is_intensity(double value) {
+    return value >= 0.0 && value <= largest_intensity;
+}
+
 std::optional<glm::vec3> number_color(std::string_view text) {
     const auto parts = split(text, ',');
     if (parts.size() == 1) {
         const auto grey = number(text);
-        return grey && *grey >= 0.0 ? std::optional(glm::vec3(static_cast<float>(*grey)))
-                                    : std::nullopt;
+        return grey && is_intensity(*grey) ? std::optional(glm::vec3(static_cast<float>(*grey)))
+                                           : std::nullopt;
     }
     const auto color = parts.size() == 3 ? three_numbers(parts) : std::nullopt;
-    if (!color || color->x < 0.0 || color->y < 0.0 || color->z < 0.0) return std::nullopt;
-    return glm::vec3(*color);
+    const bool valid =
+        color && is_intensity(color->x) && is_intensity(color->y) && is_intensity(color->z);
+    return valid ? std::optional(glm::vec3(*color)) : std::nullopt;
 }
 
 LightFrame take_light_frame(std::string_view& text) {

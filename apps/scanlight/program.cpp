@@ -35,6 +35,9 @@ void add_commands(CLI::App& program) {
     add_diff_command(program);
     add_steps_command(program);
     add_gallery_command(program);
+    for (CLI::App* command : program.get_subcommands({})) {
+        command->set_version_flag("--version", program.version());
+    }
 }
 
 /// `scanlight IN OUT` means `scanlight render IN OUT`.
@@ -54,6 +57,11 @@ int report(const std::string& message) {
     return exit_error;
 }
 
+/// Whether all that was printed has arrived: a full disk or a closed pipe is an error too.
+bool standard_output_took_all() {
+    return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+}
+
 int parse_and_run(CLI::App& program, std::vector<std::string> arguments) {
     arguments = with_command(program, std::move(arguments));
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them last first
@@ -67,13 +75,9 @@ int parse_and_run(CLI::App& program, std::vector<std::string> arguments) {
     return exit_ok;
 }
 
-}  // namespace
-
-int run(int argc, const char* const* argv) {
-    CLI::App program("Scanlight: the scanline renderer that teaches.", "scanlight");
-    add_commands(program);
+int guarded_run(CLI::App& program, std::vector<std::string> arguments) {
     try {
-        return parse_and_run(program, {argv + 1, argv + argc});
+        return parse_and_run(program, std::move(arguments));
     } catch (const Dissimilar&) {
         return exit_difference;
     } catch (const std::bad_alloc&) {
@@ -81,6 +85,16 @@ int run(int argc, const char* const* argv) {
     } catch (const std::exception& error) {
         return report(error.what());
     }
+}
+
+}  // namespace
+
+int run(int argc, const char* const* argv) {
+    CLI::App program("Scanlight: the scanline renderer that teaches.", "scanlight");
+    add_commands(program);
+    const int status = guarded_run(program, {argv + 1, argv + argc});
+    if (status == exit_error || standard_output_took_all()) return status;
+    return report("standard output: cannot be written");
 }
 
 }  // namespace scanlight::apps

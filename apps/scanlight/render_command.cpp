@@ -78,9 +78,9 @@ void add_output_options(CLI::App& app, RenderOptions& options) {
 
 std::string default_output(const std::string& input) {
     if (input == "-") return "scanlight.png";
-    const std::string shape = input.substr(input.find("shape:") == 0 ? 6 : 0);
-    const std::string stem =
-        std::filesystem::path(shape.substr(0, shape.find(':'))).stem().string();
+    const std::string name = input.substr(input.starts_with("shape:") ? 6 : 0);
+    const std::string whole = std::filesystem::path(name).stem().string();
+    const std::string stem = whole.substr(0, whole.find(':'));  // "torus:48,24" is a torus
     return (stem.empty() ? "scanlight" : stem) + ".png";
 }
 

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <map>
+#include <sstream>
 
 #include "apps/scanlight/usage_error.h"
 
@@ -27,6 +28,17 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Enum& value,
     return app.add_option_function<std::string>(name, choose, help)
         ->type_name(list)
         ->default_str(preset);
+}
+
+/// A number from `low` to `high`. CLI::Range would let NaN pass.
+CLI::Validator within(double low, double high) {
+    std::ostringstream range;
+    range << "from " << low << " to " << high;
+    const auto check = [low, high, expected = range.str()](const std::string& text) {
+        const double number = parse_number(text, "value");
+        return number >= low && number <= high ? "" : "'" + text + "': expected " + expected;
+    };
+    return CLI::Validator(check, range.str());
 }
 
 /// An option whose text `use` turns into a value.
@@ -86,7 +98,7 @@ void add_mesh_options(CLI::App& app, SceneOptions& o) {
     app.add_option("--crease", o.normals.crease_deg,
                    "faces at a larger angle than this share no normal; 180 smooths all")
         ->type_name("DEG")
-        ->check(CLI::Range(0.0, 180.0))
+        ->check(within(0.0, 180.0))
         ->capture_default_str();
     add_text(app, "--material", "\"kd=… ks=… n=…\"",
              "the surface, instead of the file's: ka, kd, ks (colours), n (exponent)",
@@ -102,17 +114,17 @@ void add_camera_options(CLI::App& app, SceneOptions& o) {
         ->default_str("30,20");
     app.add_option("--fov", o.fov_deg, "vertical field of view")
         ->type_name("DEG")
-        ->check(CLI::Range(1.0, 170.0))
+        ->check(within(1.0, 170.0))
         ->capture_default_str();
     app.add_option("--lens", o.lens_mm, "focal length for a frame 24 mm high, instead of --fov")
         ->type_name("MM")
-        ->check(CLI::Range(1.0, 5000.0));
+        ->check(within(1.0, 5000.0));
     add_choice<render::Projection>(app, "--projection", o.projection,
                                    {{"perspective", render::Projection::perspective},
                                     {"orthographic", render::Projection::orthographic}},
                                    "the camera's");
     app.add_option("--zoom", o.zoom, "enlarge the picture about its centre")
-        ->check(CLI::Range(0.001, 1000.0))
+        ->check(within(0.001, 1000.0))
         ->capture_default_str();
     add_text(app, "--eye", "X,Y,Z", "the camera's place in the world, instead of --view",
              [&o](const std::string& text) { o.eye = parse_point(text, "eye"); });
@@ -131,8 +143,11 @@ void add_light_options(CLI::App& app, SceneOptions& o) {
            "viewer); world:x,y,z is a direction in the world, point:x,y,z a place in it")
         ->type_name("X,Y,Z[,#COLOUR][,FALLOFF]")
         ->allow_extra_args(false);
-    app.add_option("--light-k", o.light_k, "k of the fall-off inverse-plus-k and of gouraud71")
-        ->check(CLI::Range(1e-6, 1e6))
+    app.add_option("--falloff-k", o.falloff_k, "k of inverse-plus-k, in world units")
+        ->check(within(1e-6, 1e6))
+        ->capture_default_str();
+    app.add_option("--gouraud71-k", o.settings.gouraud71_k, "k of gouraud71, in world units")
+        ->check(within(1e-6, 1e6))
         ->capture_default_str();
     add_text(app, "--ambient", "COLOUR", "the ambient light I_a", [&o](const std::string& text) {
         o.ambient = parse_color(text);

@@ -31,14 +31,14 @@ struct SceneOptions {
     Polygons polygons = Polygons::bilinear;
     mesh::NormalRule normals;
     render::ViewAngles view;
-    double fov_deg = 40.0;
+    double fov_deg = 30.0;
     double lens_mm = 0.0;  // 0: by fov_deg
     render::Projection projection = render::Projection::perspective;
     double zoom = 1.0;
     std::optional<glm::dvec3> eye;
     std::optional<glm::dvec3> target;
     std::vector<LightOption> lights;
-    float light_k = 1.0f;
+    float falloff_k = 1.0f;
     glm::vec3 ambient{0.15f};
     std::string material;
     std::optional<glm::vec3> background{glm::vec3(0.807f, 0.831f, 0.871f)};  // none: transparent

@@ -56,9 +56,9 @@ render::Camera camera_of(const std::vector<render::Object>& objects, const Scene
 }
 
 shading::Light<float> light_of(const LightOption& option, const render::Camera& camera,
-                               float light_k) {
+                               float falloff_k) {
     if (option.frame == LightFrame::point) {
-        return shading::point_light<float>(option.place, option.color, {option.falloff, light_k});
+        return shading::point_light<float>(option.place, option.color, {option.falloff, falloff_k});
     }
     const glm::dmat3 world_from_eye = glm::transpose(glm::dmat3(render::eye_from_world(camera)));
     const glm::dvec3 towards =
@@ -71,7 +71,7 @@ shading::Lighting<float> lighting_of(const render::Camera& camera, const SceneOp
     const auto& lights = options.lights;
     shading::Lighting<float> lighting{options.ambient, {}};
     for (const auto& light : lights.empty() ? std::vector{from_the_upper_left} : lights) {
-        lighting.lights.push_back(light_of(light, camera, options.light_k));
+        lighting.lights.push_back(light_of(light, camera, options.falloff_k));
     }
     return lighting;
 }

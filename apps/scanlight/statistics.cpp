@@ -51,7 +51,8 @@ std::string lines_of(const Json& json, const std::string& prefix) {
 }  // namespace
 
 std::string as_json(const Statistics& statistics) {
-    return json_of(statistics).dump(2) + "\n";
+    // A file's name need not be UTF-8.
+    return json_of(statistics).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string as_text(const Statistics& statistics) {

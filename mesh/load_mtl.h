@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/material.h"
+
+namespace scanlight::mesh {
+
+/// What a material library says.
+struct MaterialLibrary {
+    std::vector<Material> materials;    // in the file's order; names may repeat
+    std::vector<std::string> warnings;  // "name:line: what, and what is done about it"
+};
+
+/// Reads a Wavefront MTL file: Ka Kd Ks Ns d Tr Ni illum of each newmtl; textures and the rest are
+/// passed over. `name` is for messages. Throws FileError "name:line: reason".
+MaterialLibrary load_mtl(std::string_view bytes, const std::string& name);
+
+}  // namespace scanlight::mesh

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "mesh/polygon_soup.h"
+
+namespace scanlight::mesh {
+
+/// The faces of a soup that can be drawn, in their order. Every face has at least 3 distinct points
+/// and an area; no corner repeats the point of the one before it.
+///
+/// A corner also names the half-edge that leaves it for the next corner of its face.
+struct Polygons {
+    std::vector<std::uint32_t> point;        // one a corner, into the soup's positions
+    std::vector<std::uint32_t> soup_corner;  // one a corner, into the soup's corners
+    std::vector<std::uint32_t> face_of;      // one a corner
+    std::vector<bool> alone;  // one a corner: its face came by this point before, so that it must
+                              // have a vertex of its own
+
+    std::vector<std::uint32_t> begin{0};   // faces + 1 of them, into the corners
+    std::vector<std::uint32_t> soup_face;  // one a face
+    std::vector<glm::dvec3> normals;       // one a face, unit
+
+    std::size_t zero_area = 0;    // faces left out: nothing to fill
+    std::size_t few_corners = 0;  // faces left out: fewer than 3 distinct points
+
+    std::size_t face_count() const { return begin.size() - 1; }
+    std::size_t corner_count() const { return point.size(); }
+
+    std::uint32_t next(std::uint32_t corner) const {
+        const std::uint32_t face = face_of[corner];
+        return corner + 1 == begin[face + 1] ? begin[face] : corner + 1;
+    }
+    std::uint32_t previous(std::uint32_t corner) const {
+        const std::uint32_t face = face_of[corner];
+        return corner == begin[face] ? begin[face + 1] - 1 : corner - 1;
+    }
+};
+
+/// Leaves out repeated neighbours of corners, then the faces that cannot be drawn, and counts them.
+Polygons drawable_polygons(const PolygonSoup& soup);
+
+}  // namespace scanlight::mesh

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <cstdint>
+
+namespace scanlight::mesh {
+
+/// Linear light, 0 to 1, of an 8-bit sRGB value (IEC 61966-2-1). Same bits everywhere: the table
+/// is computed by the compiler, of + - x / only.
+float linear_from_srgb(std::uint8_t value_srgb);
+
+}  // namespace scanlight::mesh
