@@ -77,8 +77,9 @@ void steps(const StepsOptions& options) {
     raster::save_file(options.output, report(polygons, options));
 }
 
-/// What suits a page: few pixels, intensities, the textbook's even interpolation.
+/// What suits a page: few pixels, one intensity that varies, the textbook's even interpolation.
 void set_defaults(SceneOptions& scene) {
+    scene.material = "kd=0.6 ks=0.4 n=8";
     scene.size = {24, 16};
     scene.settings.shading = render::Shading::gouraud;
     scene.settings.perspective = render::Perspective::affine;
