@@ -18,7 +18,7 @@ namespace scanlight::raster {
 ///
 /// The value inside a polygon of more than three corners depends on how it is turned on the
 /// screen; that is the method's, and is kept so that it can be seen. All values lie between the
-/// extremes of the corners, within 1 unit of the number format.
+/// extremes of the corners, and within half a unit of the exact rule before rounding.
 template <int N>
 struct Bilinear {
     using EdgeValues = Ramps<N>;
@@ -39,7 +39,9 @@ struct Bilinear {
     Ramps<N> along(const Edge<EdgeValues>& left, const Edge<EdgeValues>& right, int) const {
         const int pixels = right.crossing.column() - left.crossing.column();
         const double gap = left.crossing.gap();
-        const SpanScale scale{gap, 1.0 / (pixels + gap - right.crossing.gap()), pixels > 1};
+        // In this order nothing cancels, however narrow the span.
+        const double width = pixels - 1 + (right.crossing.reach() + gap);
+        const SpanScale scale{gap, 1.0 / width, pixels > 1};
         Ramps<N> ramps;
         ramps.depth = span_ramp(left.values.depth, right.values.depth, scale);
         for (std::size_t k = 0; k < N; ++k) {

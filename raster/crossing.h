@@ -42,6 +42,13 @@ public:
         return static_cast<double>(gap_numerator()) / (double{subpixels} * height_);
     }
 
+    /// How far it lies right of the centre of the column before: 1 - gap, but computed without loss
+    /// when the gap is next to one. In pixels, (0, 1].
+    double reach() const {
+        const std::int64_t whole = std::int64_t{height_} * subpixels;
+        return static_cast<double>(whole - gap_numerator()) / static_cast<double>(whole);
+    }
+
     /// The crossing's x in pixels (a pixel's centre lies at its column + 1/2), and its change from
     /// one scanline to the next: for people to read.
     double x() const { return column_ + 0.5 - gap(); }

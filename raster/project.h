@@ -65,7 +65,8 @@ template <int N>
 std::vector<ScreenVertex<N>> project_correct(const std::vector<ClipVertex<N>>& polygon,
                                              const Viewport& viewport) {
     float w_min = polygon.empty() ? 1.0f : polygon.front().position.w;
-    for (const auto& vertex : polygon) w_min = std::min(w_min, vertex.position.w);
+    for (const auto& vertex : polygon)
+        w_min = std::min(w_min, vertex.position.w);
     return project_scaled(polygon, viewport,
                           [w_min](const glm::vec4& position) { return w_min / position.w; });
 }

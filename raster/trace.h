@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -10,21 +10,19 @@ namespace scanlight::raster {
 
 /// What the walk did to one polygon, step by step, in the textbook's units: pixels, depth in
 /// [0, 1], attributes as numbers. Plain data for people to read.
-template <int N>
 struct Trace {
-    using Numbers = std::array<double, N>;
-
-    struct Edge {
+    /// Depth and attributes, and what is added to each on the next scanline or pixel.
+    struct Numbers {
+        double z = 0.0, dz = 0.0;
+        std::vector<double> values, steps;
+    };
+    struct Edge : Numbers {   // where it crosses the centre line
         std::uint32_t index;  // from corner `index` to the next one
         int y_begin, y_end;
-        double x, dx;  // where it crosses the centre line, and the change a scanline
-        double z, dz;
-        Numbers values, steps;
+        double x, dx;  // the crossing, and the change a scanline
     };
-    struct Span {
+    struct Span : Numbers {  // at the first pixel's centre
         int x_begin, x_end;
-        double z, dz;  // at the first pixel's centre, and the change a pixel
-        Numbers values, steps;
     };
     struct Scanline {
         int y;
@@ -36,11 +34,12 @@ struct Trace {
     std::vector<Scanline> scanlines;
 };
 
-/// The observer that writes a Trace. Works with the bilinear rule, whose edges carry values.
+/// The observer that writes a Trace, of the first `shown` attributes. Works with the bilinear rule:
+/// a plane equation's edges carry no values to show.
 template <int N>
 class Tracer {
 public:
-    explicit Tracer(Trace<N>& trace) : trace_(trace) {}
+    explicit Tracer(Trace& trace, std::size_t shown = N) : trace_(trace), shown_(shown) {}
 
     void edge_table(const EdgeTable<Ramps<N>>& table) {
         for (const auto& edge : table.edges())
@@ -53,17 +52,9 @@ public:
         }
     }
     void span(const raster::Span<N>& span) {
-        typename Trace<N>::Span note{span.x_begin,
-                                     span.x_end,
-                                     depth_value(span.ramps.depth.value),
-                                     depth_value(span.ramps.depth.step_size),
-                                     {},
-                                     {}};
-        note_attributes(span.ramps, note.values, note.steps);
-        trace_.scanlines.back().spans.push_back(note);
+        trace_.scanlines.back().spans.push_back({noted(span.ramps), span.x_begin, span.x_end});
     }
 
-    // A plane equation's edges carry no values to show.
     template <class Values>
     void edge_table(const EdgeTable<Values>&) {}
     template <class Values>
@@ -73,35 +64,28 @@ public:
 
 private:
     static constexpr double ramp_one = 1 << ramp_bits;
+    static constexpr double depth_one = ramp_one * depth_far;
+    static constexpr double value_one = ramp_one * static_cast<double>(attribute_one);
 
-    static double depth_value(std::int64_t ramp) {
-        return static_cast<double>(ramp) / ramp_one / depth_far;
-    }
-
-    static void note_attributes(const Ramps<N>& ramps, std::array<double, N>& values,
-                                std::array<double, N>& steps) {
-        constexpr double one = ramp_one * static_cast<double>(attribute_one);
-        for (std::size_t k = 0; k < N; ++k) {
-            values[k] = static_cast<double>(ramps.attributes[k].value) / one;
-            steps[k] = static_cast<double>(ramps.attributes[k].step_size) / one;
+    Trace::Numbers noted(const Ramps<N>& ramps) const {
+        Trace::Numbers note{static_cast<double>(ramps.depth.value) / depth_one,
+                            static_cast<double>(ramps.depth.step_size) / depth_one,
+                            {},
+                            {}};
+        for (std::size_t k = 0; k < shown_; ++k) {
+            note.values.push_back(static_cast<double>(ramps.attributes[k].value) / value_one);
+            note.steps.push_back(static_cast<double>(ramps.attributes[k].step_size) / value_one);
         }
-    }
-
-    static typename Trace<N>::Edge noted(const raster::Edge<Ramps<N>>& edge) {
-        typename Trace<N>::Edge note{edge.index,
-                                     edge.y_begin,
-                                     edge.y_end,
-                                     edge.crossing.x(),
-                                     edge.crossing.dx(),
-                                     depth_value(edge.values.depth.value),
-                                     depth_value(edge.values.depth.step_size),
-                                     {},
-                                     {}};
-        note_attributes(edge.values, note.values, note.steps);
         return note;
     }
 
-    Trace<N>& trace_;
+    Trace::Edge noted(const raster::Edge<Ramps<N>>& edge) const {
+        return {noted(edge.values), edge.index,        edge.y_begin,
+                edge.y_end,         edge.crossing.x(), edge.crossing.dx()};
+    }
+
+    Trace& trace_;
+    std::size_t shown_;
 };
 
 }  // namespace scanlight::raster

@@ -7,6 +7,7 @@
 
 #include "raster/fragments.h"
 #include "render/placed_mesh.h"
+#include "render/undivided.h"
 
 namespace scanlight::render {
 
@@ -37,7 +38,7 @@ public:
 
     raster::Rgba shade(const raster::Fragment<attribute_count>& fragment, Nothing) const {
         const auto& a = fragment.attributes;
-        return raster::Rgba(glm::vec3(a[0], a[1], a[2]) / a[3], 1.0f);
+        return raster::Rgba(undivided(glm::vec3(a[0], a[1], a[2]), a[3]), 1.0f);
     }
 
 private:

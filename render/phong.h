@@ -7,6 +7,7 @@
 #include "raster/fragments.h"
 #include "render/painted.h"
 #include "render/placed_mesh.h"
+#include "render/undivided.h"
 
 namespace scanlight::render {
 
@@ -59,7 +60,7 @@ private:
     decltype(auto) material_at(const std::array<float, attribute_count>& a,
                                const Polygon& polygon) const {
         if constexpr (paint == Paint::vertices) {
-            return painted(polygon.material, glm::vec3(a[3], a[4], a[5]) / a[6]);
+            return painted(polygon.material, undivided(glm::vec3(a[3], a[4], a[5]), a[6]));
         } else {
             return (polygon.material);
         }

@@ -20,29 +20,11 @@ struct PolygonSteps {
         double z;     // depth, 0 to 1
         std::vector<double> values;
     };
-    struct Edge {
-        std::uint32_t from, to;  // corners
-        int y_begin, y_end;
-        double x, dx, z, dz;
-        std::vector<double> values, steps;
-    };
-    struct Span {
-        int x_begin, x_end;
-        double z, dz;
-        std::vector<double> values, steps;
-    };
-    struct Scanline {
-        int y;
-        std::vector<Edge> active;
-        std::vector<Span> spans;
-    };
-
     std::size_t face = 0;  // of the object's mesh
     std::uint32_t id = 0;  // its place in the file plus 1
     std::vector<std::string> names;
     std::vector<Corner> corners;
-    std::vector<Edge> edge_table;
-    std::vector<Scanline> scanlines;
+    raster::Trace trace;  // edge i runs from corner i to the next
 };
 
 /// Runs the rasterizer itself, with an observer, over each polygon that is seen of the scene's

@@ -42,8 +42,8 @@ Json json_of(const raster::Difference& d) {
 }
 
 void print(const raster::Difference& d, std::FILE* to) {
-    std::fprintf(to, "different  %lld of %lld pixels\n",
-                 static_cast<long long>(d.different_pixels), static_cast<long long>(d.pixels));
+    std::fprintf(to, "different  %lld of %lld pixels\n", static_cast<long long>(d.different_pixels),
+                 static_cast<long long>(d.pixels));
     std::fprintf(to, "mean       %.6g of %g\n", d.mean_absolute, d.peak);
     std::fprintf(to, "rms        %.6g\n", d.root_mean_square);
     std::fprintf(to, "psnr       %.4g dB\n", raster::psnr_db(d));

@@ -16,8 +16,8 @@ mesh::PolygonSoup load_soup(const std::string& input) {
     if (input.starts_with(shape_prefix)) return mesh::shape(input.substr(shape_prefix.size()));
     std::error_code ignored;
     const auto status = std::filesystem::status(input, ignored);
-    const bool is_file = input == "-" || (std::filesystem::exists(status) &&
-                                          !std::filesystem::is_directory(status));
+    const bool is_file =
+        input == "-" || (std::filesystem::exists(status) && !std::filesystem::is_directory(status));
     return !is_file && mesh::is_shape(input) ? mesh::shape(input) : mesh::load(input);
 }
 

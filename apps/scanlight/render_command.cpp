@@ -142,6 +142,20 @@ void say(const RenderOptions& options, const std::string& message) {
     if (!options.quiet) std::fprintf(stderr, "%s\n", message.c_str());
 }
 
+/// The reader's, and what the builder left out.
+std::vector<std::string> warnings_of(const Model& model) {
+    std::vector<std::string> warnings = model.warnings;
+    const auto& report = model.report;
+    const auto note = [&](std::size_t count, const std::string& why) {
+        if (count == 0) return;
+        warnings.push_back(model.name + ": " + std::to_string(count) + " of " +
+                           std::to_string(report.faces_in) + " faces are left out: " + why);
+    };
+    note(report.zero_area, "no area");
+    note(report.few_corners, "fewer than 3 different corners");
+    return warnings;
+}
+
 void render(RenderOptions& options) {
     check_outputs(options);
     const Model model = load_model(options.scene);

@@ -26,7 +26,7 @@ struct StepsOptions {
 };
 
 bool is_less_tall(const PolygonSteps& a, const PolygonSteps& b) {
-    return a.scanlines.size() < b.scanlines.size();
+    return a.trace.scanlines.size() < b.trace.scanlines.size();
 }
 
 std::vector<PolygonSteps> tallest(std::vector<PolygonSteps> polygons) {

@@ -8,6 +8,7 @@ namespace scanlight::apps {
 
 namespace {
 
+using raster::Trace;
 using render::PolygonSteps;
 using Json = nlohmann::ordered_json;
 using Row = std::vector<std::string>;
@@ -18,13 +19,16 @@ std::string corner_name(std::uint32_t corner) {
     return "P" + std::to_string(corner);
 }
 
-std::string edge_name(const PolygonSteps::Edge& edge) {
-    return corner_name(edge.from) + "-" + corner_name(edge.to);
+std::uint32_t end_corner(const PolygonSteps& steps, const Trace::Edge& edge) {
+    return (edge.index + 1) % static_cast<std::uint32_t>(steps.corners.size());
+}
+
+std::string edge_name(const PolygonSteps& steps, const Trace::Edge& edge) {
+    return corner_name(edge.index) + "-" + corner_name(end_corner(steps, edge));
 }
 
 /// A value and its increment for each thing interpolated, depth last.
-template <class Item>
-void append_values(Row& row, const Item& item) {
+void append_numbers(Row& row, const Trace::Numbers& item) {
     for (std::size_t k = 0; k < item.values.size(); ++k) {
         row.push_back(fixed(item.values[k], 4));
         row.push_back(fixed(item.steps[k], 5));
@@ -62,9 +66,10 @@ std::string corners_text(const PolygonSteps& steps) {
     return "Corners (pixels; y grows downward)\n" + table.text("  ");
 }
 
-Row edge_row(const PolygonSteps::Edge& edge) {
-    Row row{edge_name(edge), std::to_string(edge.y_end - 1), fixed(edge.x, 3), fixed(edge.dx, 4)};
-    append_values(row, edge);
+Row edge_row(const PolygonSteps& steps, const Trace::Edge& edge) {
+    Row row{edge_name(steps, edge), std::to_string(edge.y_end - 1), fixed(edge.x, 3),
+            fixed(edge.dx, 4)};
+    append_numbers(row, edge);
     return row;
 }
 
@@ -75,9 +80,9 @@ Row edge_header(const PolygonSteps& steps) {
 std::string edge_table_text(const PolygonSteps& steps) {
     TextTable table(joined({"bucket"}, edge_header(steps)));
     int bucket = -1;
-    for (const auto& edge : steps.edge_table) {
+    for (const auto& edge : steps.trace.edge_table) {
         const std::string label = edge.y_begin == bucket ? "" : "y " + std::to_string(edge.y_begin);
-        table.add_row(joined({label}, edge_row(edge)));
+        table.add_row(joined({label}, edge_row(steps, edge)));
         bucket = edge.y_begin;
     }
     return "Edge table (each edge waits in the bucket of its first scanline; values at that "
@@ -85,20 +90,20 @@ std::string edge_table_text(const PolygonSteps& steps) {
            table.text("  ");
 }
 
-std::string active_text(const PolygonSteps& steps, const PolygonSteps::Scanline& line) {
+std::string active_text(const PolygonSteps& steps, const Trace::Scanline& line) {
     TextTable table(edge_header(steps));
     for (const auto& edge : line.active)
-        table.add_row(edge_row(edge));
+        table.add_row(edge_row(steps, edge));
     return table.text("  ");
 }
 
-std::string spans_text(const PolygonSteps& steps, const PolygonSteps::Scanline& line) {
+std::string spans_text(const PolygonSteps& steps, const Trace::Scanline& line) {
     if (line.spans.empty()) return "  no pixel centre between them\n";
     TextTable table(joined({"span", "pixels"}, value_names(steps)));
     for (const auto& span : line.spans) {
         Row row{"x " + std::to_string(span.x_begin) + "-" + std::to_string(span.x_end - 1),
                 std::to_string(span.x_end - span.x_begin)};
-        append_values(row, span);
+        append_numbers(row, span);
         table.add_row(row);
     }
     return table.text("  ");
@@ -113,28 +118,31 @@ Json values_json(const std::vector<std::string>& names, const std::vector<double
     return json;
 }
 
-template <class Item>
-void put_values(Json& json, const PolygonSteps& steps, const Item& item) {
+void put_numbers(Json& json, const PolygonSteps& steps, const Trace::Numbers& item) {
     json["z"] = item.z;
     json["dz"] = item.dz;
     json["values"] = values_json(steps.names, item.values);
     json["increments"] = values_json(steps.names, item.steps);
 }
 
-Json edge_json(const PolygonSteps& steps, const PolygonSteps::Edge& edge) {
-    Json json{{"from", edge.from},   {"to", edge.to}, {"y_begin", edge.y_begin},
-              {"y_end", edge.y_end}, {"x", edge.x},   {"dx", edge.dx}};
-    put_values(json, steps, edge);
+Json edge_json(const PolygonSteps& steps, const Trace::Edge& edge) {
+    Json json{{"from", edge.index},
+              {"to", end_corner(steps, edge)},
+              {"y_begin", edge.y_begin},
+              {"y_end", edge.y_end},
+              {"x", edge.x},
+              {"dx", edge.dx}};
+    put_numbers(json, steps, edge);
     return json;
 }
 
-Json span_json(const PolygonSteps& steps, const PolygonSteps::Span& span) {
+Json span_json(const PolygonSteps& steps, const Trace::Span& span) {
     Json json{{"x_begin", span.x_begin}, {"x_end", span.x_end}};
-    put_values(json, steps, span);
+    put_numbers(json, steps, span);
     return json;
 }
 
-Json scanline_json(const PolygonSteps& steps, const PolygonSteps::Scanline& line) {
+Json scanline_json(const PolygonSteps& steps, const Trace::Scanline& line) {
     Json active = Json::array();
     Json spans = Json::array();
     for (const auto& edge : line.active)
@@ -153,10 +161,10 @@ Json polygon_json(const PolygonSteps& steps) {
                            {"values", values_json(steps.names, corner.values)}});
     }
     Json edges = Json::array();
-    for (const auto& edge : steps.edge_table)
+    for (const auto& edge : steps.trace.edge_table)
         edges.push_back(edge_json(steps, edge));
     Json scanlines = Json::array();
-    for (const auto& line : steps.scanlines)
+    for (const auto& line : steps.trace.scanlines)
         scanlines.push_back(scanline_json(steps, line));
     return {{"polygon", steps.id},
             {"corners", corners},
@@ -183,10 +191,10 @@ bool has_grey_intensities(const PolygonSteps& steps) {
     for (const auto& corner : steps.corners) {
         if (!is_grey(corner.values)) return false;
     }
-    for (const auto& line : steps.scanlines) {
+    for (const auto& line : steps.trace.scanlines) {
         if (!all_grey(line.active) || !all_grey(line.spans)) return false;
     }
-    return all_grey(steps.edge_table);
+    return all_grey(steps.trace.edge_table);
 }
 
 template <class Items>
@@ -201,7 +209,7 @@ void keep_first_value(Items& items) {
 
 std::string steps_text(const PolygonSteps& steps, const std::string& title) {
     std::string text = title + "\n\n" + corners_text(steps) + "\n" + edge_table_text(steps);
-    for (const auto& line : steps.scanlines) {
+    for (const auto& line : steps.trace.scanlines) {
         text += "\nScanline " + std::to_string(line.y) + " (centre y = " + fixed(line.y + 0.5, 1) +
                 "): active edges from left to right, then what lies between\n" +
                 active_text(steps, line) + spans_text(steps, line);
@@ -221,8 +229,8 @@ PolygonSteps with_grey_as_one(PolygonSteps steps) {
     steps.names = {"I"};
     for (auto& corner : steps.corners)
         corner.values.resize(1);
-    keep_first_value(steps.edge_table);
-    for (auto& line : steps.scanlines) {
+    keep_first_value(steps.trace.edge_table);
+    for (auto& line : steps.trace.scanlines) {
         keep_first_value(line.active);
         keep_first_value(line.spans);
     }
