@@ -67,65 +67,91 @@ glm::dvec3 towards_eye(const Camera& camera) {
     return {view[0][2], view[1][2], view[2][2]};
 }
 
-/// What the objects take of the picture, in units of its half height: by a perspective camera at
-/// z = -1, by an orthographic one as they are.
-Box box_in_picture(const Camera& camera, const std::vector<Object>& objects) {
-    const glm::dmat4 view = eye_from_world(camera);
-    const bool perspective = camera.projection == Projection::perspective;
-    Box box;
-    for_each_point(objects, [&](const glm::dvec3& p) {
-        const glm::dvec4 e = view * glm::dvec4(p, 1.0);
-        const double scale = perspective ? 1.0 / std::max(-e.z, 1e-30) : 1.0;
-        box.include({e.x * scale, e.y * scale, e.z});
-    });
-    return box;
+/// The objects' points as the camera sees them from its target: x to the right, y up, z towards it.
+std::vector<glm::dvec3> points_before(const Camera& camera, const std::vector<Object>& objects) {
+    const glm::dmat3 eye_axes(eye_from_world(camera));
+    std::vector<glm::dvec3> points;
+    for_each_point(objects,
+                   [&](const glm::dvec3& p) { points.push_back(eye_axes * (p - camera.target)); });
+    return points;
 }
 
-/// Moves the camera sideways, so that the objects stand in the middle of the picture.
-Camera centred(Camera camera, const std::vector<Object>& objects) {
-    const glm::dvec3 off = box_in_picture(camera, objects).centre();
-    const double distance =
-        camera.projection == Projection::perspective ? length(camera.eye - camera.target) : 1.0;
-    const glm::dmat4 view = eye_from_world(camera);
-    const glm::dvec3 right(view[0][0], view[1][0], view[2][0]);
-    const glm::dvec3 up(view[0][1], view[1][1], view[2][1]);
-    const glm::dvec3 shift = (off.x * right + off.y * up) * distance;
-    camera.eye += shift;
-    camera.target += shift;
+Camera moved(Camera camera, const glm::dvec3& target, double distance) {
+    const glm::dvec3 backwards = towards_eye(camera);
+    camera.target += glm::transpose(glm::dmat3(eye_from_world(camera))) * target;
+    camera.eye = camera.target + backwards * distance;
     return camera;
 }
 
-/// The smallest distance from which a perspective camera sees all: a point at height y and z before
-/// the target's plane needs d >= z + m |y|, and some room before the eye.
-Camera at_fitting_distance(Camera camera, const std::vector<Object>& objects, double aspect,
-                           double size) {
-    const double room = 1e-3 * size;
-    const glm::dmat4 view = eye_from_world(camera);
-    const double target_z = (view * glm::dvec4(camera.target, 1.0)).z;
-    double distance = 0.0;
-    for_each_point(objects, [&](const glm::dvec3& p) {
-        const glm::dvec4 e = view * glm::dvec4(p, 1.0);
-        const double reach = std::max(std::abs(e.x) / aspect, std::abs(e.y));
-        const double needed = std::max(margin * camera.magnification * reach, room);
-        distance = std::max(distance, e.z - target_z + needed);
-    });
-    camera.eye = camera.target + towards_eye(camera) * distance;
-    return camera;
-}
+/// Where a perspective camera must stand, seen from the side, for the borders of its picture to
+/// touch the objects on both sides.
+struct Stand {
+    double distance;  // before the target's plane
+    double place;     // along the axis of the picture
+    double width;     // from the one point touched to the other, along that axis
+};
 
-Camera framed_in_perspective(Camera camera, const std::vector<Object>& objects, double aspect,
-                             double size) {
-    constexpr int rounds = 4;  // the middle moves with the distance; it settles at once
-    for (int i = 0; i < rounds; ++i) {
-        camera = centred(at_fitting_distance(camera, objects, aspect, size), objects);
+/// From the distance d and the place c a point is in the picture if slope |y - c| <= d - z. Both
+/// of the borders touch where d = max(z + slope y) - slope c = max(z - slope y) + slope c.
+Stand stand_for(const std::vector<glm::dvec3>& points, int axis, double slope) {
+    double above = std::numeric_limits<double>::lowest();
+    double below = above;
+    double highest = 0.0;
+    double lowest = 0.0;
+    for (const glm::dvec3& p : points) {
+        const double rise = slope * p[axis];
+        if (p.z + rise > above) {
+            above = p.z + rise;
+            highest = p[axis];
+        }
+        if (p.z - rise > below) {
+            below = p.z - rise;
+            lowest = p[axis];
+        }
     }
-    return at_fitting_distance(camera, objects, aspect, size);
+    return {0.5 * (above + below), 0.5 * (above - below) / slope, highest - lowest};
 }
 
-Camera framed_in_parallel(Camera camera, const std::vector<Object>& objects, double aspect) {
-    camera = centred(camera, objects);
-    const Box seen = box_in_picture(camera, objects);
+/// The place from which the objects are in the middle along an axis, at a distance that leaves them
+/// room: that of the narrower picture which they would fill. Its slope is found by Newton's method;
+/// the distance is a convex chain of straight pieces over the slope, so few steps are exact.
+double middle_from(double distance, const std::vector<glm::dvec3>& points, int axis, double slope) {
+    constexpr int steps = 24;
+    constexpr double enough = 1e-9;
+    Stand stand = stand_for(points, axis, slope);
+    for (int i = 0; i < steps; ++i) {
+        const double missing = distance - stand.distance;
+        if (std::abs(missing) <= enough * distance) break;
+        // While one point, a tip, is touched on both sides the chain is level.
+        slope = stand.width > 0.0 ? slope + missing / (0.5 * stand.width) : 2.0 * slope;
+        stand = stand_for(points, axis, slope);
+    }
+    return stand.place;
+}
+
+Camera framed_in_perspective(const Camera& camera, const std::vector<Object>& objects,
+                             double aspect, double size) {
+    const auto points = points_before(camera, objects);
+    const double slope_y = margin * camera.magnification;
+    const double slope_x = slope_y / aspect;
+    const double room = 1e-3 * size;  // between the eye and a spike towards it
+    double distance =
+        std::max(stand_for(points, 0, slope_x).distance, stand_for(points, 1, slope_y).distance);
+    for (const glm::dvec3& p : points)
+        distance = std::max(distance, p.z + room);
+    const double x = middle_from(distance, points, 0, slope_x);
+    const double y = middle_from(distance, points, 1, slope_y);
+    return moved(camera, {x, y, 0.0}, distance);
+}
+
+Camera framed_in_parallel(Camera camera, const std::vector<Object>& objects, double aspect,
+                          double size) {
+    Box seen;
+    for (const glm::dvec3& p : points_before(camera, objects))
+        seen.include(p);
     const glm::dvec3 half = 0.5 * (seen.high - seen.low);
+    const glm::dvec3 middle = seen.centre();
+    camera = moved(camera, {middle.x, middle.y, 0.0}, 2.0 * size);
     camera.magnification = 1.0 / (margin * std::max({half.x / aspect, half.y, 1e-30}));
     return camera;
 }
@@ -148,7 +174,7 @@ Camera framed(Camera camera, const std::vector<Object>& objects, double aspect) 
     camera.eye = camera.target + direction * (2.0 * size);
     camera = camera.projection == Projection::perspective
                  ? framed_in_perspective(camera, objects, aspect, size)
-                 : framed_in_parallel(camera, objects, aspect);
+                 : framed_in_parallel(camera, objects, aspect, size);
     return with_fitted_planes(camera, objects);
 }
 

@@ -4,12 +4,14 @@
 
 #include <glm/vec3.hpp>
 
+#include "raster/fixed.h"
+
 namespace scanlight::render {
 
 /// a = (a q) / q at a pixel. q is a 1 that ran along (see `raster::project_correct`); where the
 /// polygon is so deep that its fixed point has no bits left for q, the smallest q stands in.
 inline glm::vec3 undivided(const glm::vec3& a_q, float q) {
-    constexpr float smallest_q = 1.0f / 536870912.0f;
+    constexpr float smallest_q = 1.0f / raster::attribute_one;
     return a_q / std::max(q, smallest_q);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,29 @@ std::vector<Line> edges_of(const mesh::Mesh& mesh) {
     return lines;
 }
 
+/// The smaller of the changes of depth to the two neighbours in a row or column: that on the same
+/// surface, next to an outline too.
+raster::Depth change(raster::Depth before, raster::Depth here, raster::Depth after) {
+    return std::min(std::abs(here - before), std::abs(after - here));
+}
+
+/// How much the surface's depth changes over a pixel, as it is stored about (x, y).
+raster::Depth steepness(const raster::Plane<raster::Depth>& depth, int x, int y) {
+    const auto stored = [&](int i, int j) {
+        const bool inside = i >= 0 && i < depth.width() && j >= 0 && j < depth.height();
+        return inside ? depth.at(i, j) : raster::depth_clear;
+    };
+    const raster::Depth here = depth.at(x, y);
+    return change(stored(x - 1, y), here, stored(x + 1, y)) +
+           change(stored(x, y - 1), here, stored(x, y + 1));
+}
+
+/// A line runs beside the pixels' centres, where a steep surface has another depth.
+bool is_hidden(const raster::LinePixel& pixel, const raster::Plane<raster::Depth>& depth) {
+    const std::int64_t behind = std::int64_t{pixel.depth} - depth.at(pixel.x, pixel.y);
+    return behind > depth_slack && behind > depth_slack + steepness(depth, pixel.x, pixel.y);
+}
+
 }  // namespace
 
 void draw_wireframe(const Scene& scene, raster::Rgba color, HiddenLines hidden,
@@ -46,9 +70,7 @@ void draw_wireframe(const Scene& scene, raster::Rgba color, HiddenLines hidden,
                 raster::snapped<0>(line->first.position, frame.viewport),
                 raster::snapped<0>(line->second.position, frame.viewport), frame.viewport,
                 [&](const raster::LinePixel& pixel) {
-                    const auto nearest = target.depth.at(pixel.x, pixel.y);
-                    if (hidden == HiddenLines::removed && pixel.depth - depth_slack > nearest)
-                        return;
+                    if (hidden == HiddenLines::removed && is_hidden(pixel, target.depth)) return;
                     target.color.at(pixel.x, pixel.y) = color;
                 });
         }

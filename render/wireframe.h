@@ -10,7 +10,7 @@ enum class HiddenLines { shown, removed };
 
 /// Draws the edges of all polygons over what is there, in one colour. For `removed`, draw the
 /// polygons first: lines lie on surfaces, so a line passes if it is less than 1/1000 of the depth
-/// range behind what is stored.
+/// range, and a pixel's step along the surface, behind what is stored.
 void draw_wireframe(const Scene& scene, raster::Rgba color, HiddenLines hidden,
                     raster::Framebuffer& target);
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "apps/scanlight/commands.h"
+#include "apps/scanlight/print_data.h"
 #include "raster/compare.h"
 #include "raster/load_image.h"
 #include "raster/save_image.h"
@@ -41,16 +42,23 @@ Json json_of(const raster::Difference& d) {
     return json;
 }
 
-void print(const raster::Difference& d, std::FILE* to) {
-    std::fprintf(to, "different  %lld of %lld pixels\n", static_cast<long long>(d.different_pixels),
-                 static_cast<long long>(d.pixels));
-    std::fprintf(to, "mean       %.6g of %g\n", d.mean_absolute, d.peak);
-    std::fprintf(to, "rms        %.6g\n", d.root_mean_square);
-    std::fprintf(to, "psnr       %.4g dB\n", raster::psnr_db(d));
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+std::string lines_of(const raster::Difference& d) {
+    std::string text = "different  " + std::to_string(d.different_pixels) + " of " +
+                       std::to_string(d.pixels) + " pixels\nmean       " + number(d.mean_absolute) +
+                       " of " + number(d.peak) + "\nrms        " + number(d.root_mean_square) +
+                       "\npsnr       " + number(raster::psnr_db(d)) + " dB\n";
     if (d.worst) {
-        std::fprintf(to, "worst      %g and %g at pixel (%d, %d), channel %d\n", d.worst->first,
-                     d.worst->second, d.worst->x, d.worst->y, d.worst->channel);
+        text += "worst      " + number(d.worst->first) + " and " + number(d.worst->second) +
+                " at pixel (" + std::to_string(d.worst->x) + ", " + std::to_string(d.worst->y) +
+                "), channel " + std::to_string(d.worst->channel) + "\n";
     }
+    return text;
 }
 
 void diff(const DiffOptions& options) {
@@ -58,12 +66,8 @@ void diff(const DiffOptions& options) {
     const raster::AnyImage first = raster::load_image(options.first);
     const raster::AnyImage second = raster::load_image(options.second);
     const raster::Difference difference = raster::compare(first, second);
-    std::FILE* to = options.output == "-" ? stderr : stdout;  // a picture keeps a pipe to itself
-    if (options.json) {
-        std::fprintf(to, "%s\n", json_of(difference).dump(2).c_str());
-    } else {
-        print(difference, to);
-    }
+    print_data(options.json ? json_of(difference).dump(2) + "\n" : lines_of(difference),
+               options.output);
     if (!options.output.empty()) {
         raster::save_image(options.output, raster::difference_image(first, second));
     }

@@ -1,11 +1,11 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "apps/scanlight/commands.h"
 #include "apps/scanlight/model.h"
+#include "apps/scanlight/print_data.h"
 #include "mesh/bounds.h"
 
 namespace scanlight::apps {
@@ -81,16 +81,18 @@ std::string as_words(const Json& value) {
     return text.empty() ? "none" : text;
 }
 
+std::string lines_of(const Json& json) {
+    std::string text;
+    for (const auto& [key, value] : json.items()) {
+        text +=
+            key + std::string(key.size() < 17 ? 17 - key.size() : 1, ' ') + as_words(value) + "\n";
+    }
+    return text;
+}
+
 void info(const InfoOptions& options) {
     const Json json = json_of(load_model(options.input, {}));
-    if (options.json) {
-        // The names of files and materials need not be UTF-8.
-        std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
-        return;
-    }
-    for (const auto& [key, value] : json.items()) {
-        std::printf("%-16s %s\n", key.c_str(), as_words(value).c_str());
-    }
+    print_data(options.json ? json.dump(2) + "\n" : lines_of(json));
 }
 
 }  // namespace

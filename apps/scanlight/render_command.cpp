@@ -2,18 +2,17 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "apps/scanlight/commands.h"
 #include "apps/scanlight/picture.h"
+#include "apps/scanlight/print_data.h"
 #include "apps/scanlight/scene_setup.h"
 #include "apps/scanlight/statistics.h"
 #include "apps/scanlight/stopwatch.h"
 #include "apps/scanlight/usage_error.h"
 #include "raster/develop.h"
-#include "raster/save_file.h"
 #include "raster/save_image.h"
 
 namespace scanlight::apps {
@@ -159,7 +158,7 @@ std::vector<std::string> warnings_of(const Model& model) {
 void render(RenderOptions& options) {
     check_outputs(options);
     const Model model = load_model(options.scene);
-    for (const auto& warning : model.warnings)
+    for (const auto& warning : warnings_of(model))
         say(options, "scanlight: " + warning);
     const render::Scene scene = scene_of(model, options.scene);
 
@@ -175,7 +174,7 @@ void render(RenderOptions& options) {
     if (!options.statistics.empty()) {
         const std::string text =
             options.statistics == "json" ? as_json(statistics) : as_text(statistics);
-        std::fputs(text.c_str(), options.output == "-" ? stderr : stdout);
+        print_data(text, options.output);
     }
     if (options.output != "-") say(options, summary(options.output, statistics));
 }

@@ -1,0 +1,55 @@
+# Proves that check.cmake can fail: small houses, each with one include, good and bad.
+#
+# cmake -DSCRATCH=<a folder of its own> -P check_test.cmake
+cmake_minimum_required(VERSION 3.25)
+
+# Builds a house of one file with one include line and asks the check about it.
+function(ask file include)
+    file(REMOVE_RECURSE ${SCRATCH})
+    file(WRITE ${SCRATCH}/mesh/half_edge.h "#pragma once\n#include <OpenMesh/Core/Mesh.hh>\n")
+    file(WRITE ${SCRATCH}/${file} "#pragma once\n#include <vector>\n  # include ${include}\n")
+    execute_process(COMMAND ${CMAKE_COMMAND} -DROOT=${SCRATCH} -P ${CMAKE_CURRENT_LIST_DIR}/check.cmake
+        RESULT_VARIABLE result ERROR_VARIABLE output OUTPUT_QUIET)
+    set(result ${result} PARENT_SCOPE)
+    set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+function(expect_allowed file include)
+    ask(${file} ${include})
+    if(NOT result EQUAL 0)
+        message(SEND_ERROR "${file} may include ${include}, but was refused:\n${output}")
+    endif()
+endfunction()
+
+function(expect_refused file include)
+    ask(${file} ${include})
+    if(result EQUAL 0 OR NOT output MATCHES "${file}: includes ")
+        message(SEND_ERROR "${file} may not include ${include}, but was allowed")
+    endif()
+endfunction()
+
+expect_allowed(mesh/a.h       "\"mesh/b.h\"")
+expect_allowed(render/a.cpp   "\"raster/b.h\"")
+expect_allowed(apps/x/a.cpp   "\"render/b.h\"")
+expect_allowed(tests/x/a.cpp  "<apps/b.h>")
+expect_allowed(mesh/a.cpp     "<OpenMesh/Core/Mesh.hh>")
+expect_allowed(mesh/a.cpp     "\"mesh/half_edge.h\"")
+expect_allowed(raster/a.cpp   "<stb/stb_image_write.h>")
+expect_allowed(raster/a.cpp   "<png.h>")
+
+expect_refused(mesh/a.h       "\"raster/b.h\"")
+expect_refused(mesh/a.cpp     "\"shading/b.h\"")
+expect_refused(shading/a.h    "\"mesh/b.h\"")
+expect_refused(shading/a.h    "<raster/b.h>")
+expect_refused(raster/a.cpp   "\"shading/b.h\"")
+expect_refused(raster/a.cpp   "\"render/b.h\"")
+expect_refused(render/a.h     "\"apps/b.h\"")
+expect_refused(render/a.h     "\"tests/b.h\"")
+expect_refused(apps/x/a.cpp   "\"tests/b.h\"")
+expect_refused(mesh/a.h       "\"../raster/b.h\"")
+expect_refused(mesh/a.h       "\"mesh/half_edge.h\"")
+expect_refused(render/a.cpp   "\"mesh/half_edge.h\"")
+expect_refused(render/a.cpp   "<OpenMesh/Core/Mesh.hh>")
+expect_refused(raster/a.h     "<stb/stb_image_write.h>")
+expect_refused(raster/a.h     "<png.h>")
+expect_refused(render/a.cpp   "<nlohmann/json.hpp>")

@@ -1,0 +1,133 @@
+#include "render/wireframe.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/render/scenes.h"
+
+namespace scanlight::render {
+namespace {
+
+constexpr raster::Viewport size{96, 96};
+constexpr raster::Rgba ink{1.0f, 0.0f, 1.0f, 1.0f};
+
+raster::Framebuffer blank() {
+    return {size, raster::Rgba(0.0f)};
+}
+
+bool is_inked(const raster::Framebuffer& target, const glm::dvec3& screen) {
+    const int column = static_cast<int>(screen.x);
+    const int row = static_cast<int>(screen.y);
+    for (int y = row - 1; y <= row + 1; ++y) {
+        for (int x = column - 1; x <= column + 1; ++x) {
+            if (target.color.at(x, y) == ink) return true;
+        }
+    }
+    return false;
+}
+
+std::size_t inked_pixels(const raster::Framebuffer& target) {
+    return static_cast<std::size_t>(std::count(target.color.values().begin(),
+                                               target.color.values().end(), ink));
+}
+
+/// The middle of each of the cube's twelve edges, and whether it is hidden from (+x, +y, +z): those
+/// that meet in the corner (-1, -1, -1).
+struct EdgeMiddle {
+    glm::dvec3 place;
+    bool hidden;
+};
+
+std::vector<EdgeMiddle> cube_edges() {
+    std::vector<EdgeMiddle> edges;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double a : {-1.0, 1.0}) {
+            for (const double b : {-1.0, 1.0}) {
+                glm::dvec3 place(0.0);
+                place[(axis + 1) % 3] = a;
+                place[(axis + 2) % 3] = b;
+                edges.push_back({place, a < 0.0 && b < 0.0});
+            }
+        }
+    }
+    return edges;
+}
+
+class WireframeOfACube : public testing::TestWithParam<Projection> {
+protected:
+    const mesh::Mesh cube = shape_mesh("cube");
+    const Scene scene = scene_of(cube, {{25.0, 40.0}, size, GetParam()});
+};
+
+TEST_P(WireframeOfACube, ShowsAllTwelveEdges) {
+    auto target = blank();
+    draw_wireframe(scene, ink, HiddenLines::shown, target);
+    for (const auto& edge : cube_edges())
+        EXPECT_TRUE(is_inked(target, screen_from_world(scene.camera, size, edge.place)));
+}
+
+TEST_P(WireframeOfACube, WithoutHiddenLinesShowsNine) {
+    auto target = draw(scene, {}, size).framebuffer;
+    draw_wireframe(scene, ink, HiddenLines::removed, target);
+    for (const auto& edge : cube_edges()) {
+        EXPECT_EQ(is_inked(target, screen_from_world(scene.camera, size, edge.place)), !edge.hidden)
+            << edge.place.x << ' ' << edge.place.y << ' ' << edge.place.z;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cameras, WireframeOfACube, testing::ValuesIn(all_projections),
+                         [](const auto& param) {
+                             return param.param == Projection::perspective ? "perspective"
+                                                                           : "orthographic";
+                         });
+
+TEST(Wireframe, HidesNothingWhereNothingWasDrawn) {
+    const auto mesh = shape_mesh("torus:10,6");
+    const Scene scene = scene_of(mesh, {{30.0, 40.0}, size});
+    auto all = blank();
+    auto visible = blank();
+    draw_wireframe(scene, ink, HiddenLines::shown, all);
+    draw_wireframe(scene, ink, HiddenLines::removed, visible);
+    EXPECT_EQ(all.color, visible.color);
+}
+
+TEST(Wireframe, VisibleLinesAreSomeOfAll) {
+    const auto mesh = shape_mesh("torus:10,6");
+    const Scene scene = scene_of(mesh, {{30.0, 40.0}, size});
+    auto all = blank();
+    auto visible = draw(scene, {}, size).framebuffer;
+    draw_wireframe(scene, ink, HiddenLines::shown, all);
+    draw_wireframe(scene, ink, HiddenLines::removed, visible);
+    for_each_pixel(size, [&](int x, int y) {
+        if (visible.color.at(x, y) == ink) {
+            EXPECT_EQ(all.color.at(x, y), ink);
+        }
+    });
+    EXPECT_LT(inked_pixels(visible), inked_pixels(all) * 3 / 4);
+    EXPECT_GT(inked_pixels(visible), inked_pixels(all) / 4);
+}
+
+TEST(Wireframe, LeavesDepthAsItWas) {
+    const auto mesh = shape_mesh("cube");
+    const Scene scene = scene_of(mesh, {{}, size});
+    auto target = draw(scene, {}, size).framebuffer;
+    const auto depth = target.depth;
+    draw_wireframe(scene, ink, HiddenLines::removed, target);
+    EXPECT_EQ(target.depth, depth);
+}
+
+TEST(Wireframe, FromInsideIsClippedToThePicture) {
+    const auto mesh = shape_mesh("sphere:12,6");
+    Random random(1);
+    for (int i = 0; i < 50; ++i) {
+        Scene scene = scene_of(mesh, {{}, size});
+        scene.camera.eye = random.in_cube(0.9);
+        scene.camera.target = random.in_cube(0.9);
+        scene.camera = with_fitted_planes(scene.camera, scene.objects);
+        auto target = blank();
+        draw_wireframe(scene, ink, HiddenLines::shown, target);
+        EXPECT_GT(inked_pixels(target), 0u);
+    }
+}
+
+}  // namespace
+}  // namespace scanlight::render
