@@ -12,10 +12,10 @@ namespace scanlight::mesh {
 struct Polygons;
 
 /// The drawable faces of a soup as plain arrays, in their order. Vertices are numbered by first
-/// use, one for every distinct (point, normal, uv, material), so that a vertex can be lit by its own
-/// material; the colour goes with the point.
-/// `normals` holds one unit normal a corner of `polygons`. A corner without uv gets (0, 0) if
-/// others have some; a soup without materials gets a default one.
+/// use, one for every distinct (point, normal, uv, material), so that a vertex can be lit by its
+/// own material; the colour goes with the point. `normals` holds one unit normal a corner of
+/// `polygons`. A corner without uv gets (0, 0) if others have some; a soup without materials gets a
+/// default one.
 Mesh flatten(const PolygonSoup& soup, const Polygons& polygons,
              const std::vector<glm::vec3>& normals);
 

@@ -21,7 +21,7 @@ constexpr Real select(bool condition, Real yes, Real no) noexcept {
     return condition ? yes : no;
 }
 
-/// Correctly rounded, unlike the rest of <cmath>.
+/// Correctly rounded, unlike the rest of `<cmath>`.
 template <class Real>
 Real square_root(Real x) noexcept {
     using std::sqrt;

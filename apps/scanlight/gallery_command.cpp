@@ -75,13 +75,12 @@ void gallery(const GalleryOptions& options) {
     const raster::Viewport size = parse_size(options.panel_size);
     const std::filesystem::path folder(options.folder);
     std::filesystem::create_directories(folder);
-    Progress progress("drawing", figures().size());
+    Progress progress(Progress::When::on_terminal);
     for (const Figure& figure : figures()) {
-        progress.step(figure.name);
+        progress.now("drawing " + figure.name);
         if (!options.only.empty() && figure.name != options.only) continue;
         raster::save_image((folder / (figure.name + ".png")).string(), draw_figure(figure, size));
     }
-    progress.finish();
     if (options.only.empty()) raster::save_file((folder / "index.html").string(), page_html());
 }
 

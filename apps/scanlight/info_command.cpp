@@ -92,7 +92,9 @@ std::string lines_of(const Json& json) {
 
 void info(const InfoOptions& options) {
     const Json json = json_of(load_model(options.input, {}));
-    print_data(options.json ? json.dump(2) + "\n" : lines_of(json));
+    // The names of files and materials need not be UTF-8.
+    constexpr auto replace = Json::error_handler_t::replace;
+    print_data(options.json ? json.dump(2, ' ', false, replace) + "\n" : lines_of(json));
 }
 
 }  // namespace

@@ -2,24 +2,37 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 
 namespace scanlight::apps {
 
-Progress::Progress(std::string what, std::size_t steps)
-    : what_(std::move(what)), steps_(steps), is_terminal_(isatty(STDERR_FILENO) == 1) {}
-
-void Progress::step(const std::string& name) {
-    constexpr double patience_seconds = 1.0;
-    ++done_;
-    seconds_ += stopwatch_.lap();
-    if (!is_terminal_ || seconds_ < patience_seconds) return;
-    std::fprintf(stderr, "\r\033[K%s %zu/%zu %s", what_.c_str(), done_, steps_, name.c_str());
-    shown_ = true;
+Progress::Progress(When when) {
+    if (when == When::never || isatty(STDERR_FILENO) != 1) return;
+    ticker_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
-void Progress::finish() {
-    if (shown_) std::fputs("\r\033[K", stderr);
+Progress::~Progress() {
+    if (!ticker_.joinable()) return;
+    ticker_.request_stop();
+    ticker_.join();
+}
+
+void Progress::now(const std::string& what) {
+    const std::scoped_lock lock(mutex_);
+    what_ = what;
+}
+
+void Progress::run(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    bool shown = false;
+    for (int second = 1; !stop.stop_requested(); ++second) {
+        stopped_.wait_for(lock, stop, std::chrono::seconds(1), [] { return false; });
+        if (stop.stop_requested()) break;
+        std::fprintf(stderr, "\r\033[K%s, %d s", what_.c_str(), second);
+        shown = true;
+    }
+    if (shown) std::fputs("\r\033[K", stderr);
 }
 
 }  // namespace scanlight::apps

@@ -1,31 +1,34 @@
 #pragma once
 
-#include <cstddef>
+#include <condition_variable>
+#include <mutex>
 #include <string>
-
-#include "apps/scanlight/stopwatch.h"
+#include <thread>
 
 namespace scanlight::apps {
 
-/// A progress line on standard error, if that is a terminal and the work takes over a second.
+/// A line on standard error that says what is being done and for how long, on a terminal and once
+/// the work has taken a second; then it is brought up to date by a thread of its own, so that the
+/// work need not care. It is cleared at the end.
 class Progress {
 public:
-    Progress(std::string what, std::size_t steps);
+    enum class When { on_terminal, never };
 
-    /// Before each step.
-    void step(const std::string& name);
+    explicit Progress(When when);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
 
-    /// Clears the line.
-    void finish();
+    /// What is being done from now on, such as "loading bunny.obj".
+    void now(const std::string& what);
 
 private:
+    void run(const std::stop_token& stop);
+
+    std::mutex mutex_;
+    std::condition_variable_any stopped_;
     std::string what_;
-    std::size_t steps_;
-    std::size_t done_ = 0;
-    double seconds_ = 0.0;
-    bool is_terminal_;
-    bool shown_ = false;
-    Stopwatch stopwatch_;
+    std::jthread ticker_;  // the last member: it uses the others
 };
 
 }  // namespace scanlight::apps

@@ -8,6 +8,7 @@
 #include "apps/scanlight/commands.h"
 #include "apps/scanlight/picture.h"
 #include "apps/scanlight/print_data.h"
+#include "apps/scanlight/progress.h"
 #include "apps/scanlight/scene_setup.h"
 #include "apps/scanlight/statistics.h"
 #include "apps/scanlight/stopwatch.h"
@@ -157,14 +158,18 @@ std::vector<std::string> warnings_of(const Model& model) {
 
 void render(RenderOptions& options) {
     check_outputs(options);
+    Progress progress(options.quiet ? Progress::When::never : Progress::When::on_terminal);
+    progress.now("loading " + options.scene.input);
     const Model model = load_model(options.scene);
     for (const auto& warning : warnings_of(model))
         say(options, "scanlight: " + warning);
     const render::Scene scene = scene_of(model, options.scene);
 
     Stopwatch stopwatch;
+    progress.now("drawing " + options.scene.input);
     const render::Drawing drawing = draw_picture(scene, options.scene);
     const double draw_seconds = stopwatch.lap();
+    progress.now("saving " + options.output);
     save_color(drawing.framebuffer, options);
     for (const auto& aov : options.aovs) {
         save_aov(aov, scene, options.scene, drawing.framebuffer);

@@ -38,12 +38,17 @@ Json json_of(const Statistics& s) {
               {"save", milliseconds(s.save_seconds)}}}};
 }
 
+/// A file's name need not be UTF-8.
+std::string dumped(const Json& json, int indent) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
 /// Nested names joined by dots, one line a number.
 std::string lines_of(const Json& json, const std::string& prefix) {
     std::string text;
     for (const auto& [key, value] : json.items()) {
         const std::string name = prefix.empty() ? key : prefix + "." + key;
-        text += value.is_object() ? lines_of(value, name) : name + " " + value.dump() + "\n";
+        text += value.is_object() ? lines_of(value, name) : name + " " + dumped(value, -1) + "\n";
     }
     return text;
 }
@@ -51,8 +56,7 @@ std::string lines_of(const Json& json, const std::string& prefix) {
 }  // namespace
 
 std::string as_json(const Statistics& statistics) {
-    // A file's name need not be UTF-8.
-    return json_of(statistics).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return dumped(json_of(statistics), 2) + "\n";
 }
 
 std::string as_text(const Statistics& statistics) {

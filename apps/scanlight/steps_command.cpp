@@ -67,6 +67,7 @@ std::string report(const std::vector<PolygonSteps>& polygons, const StepsOptions
 }
 
 void steps(const StepsOptions& options) {
+    wireframe_of(options.scene);  // nothing to draw here, but a wrong word is said
     const Model model = load_model(options.scene);
     const render::Scene scene = scene_of(model, options.scene);
     auto polygons = chosen(

@@ -3,13 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <iostream>
 #include <set>
 #include <string>
 
 #include "apps/scanlight/figures.h"
 #include "raster/compare.h"
+#include "raster/image_error.h"
 #include "raster/load_image.h"
 #include "raster/save_image.h"
 
@@ -65,30 +68,45 @@ testing::AssertionResult accepted(const std::string& name, const raster::Image8&
     if (!environment("CI").empty()) {
         return testing::AssertionFailure() << "goldens are accepted by people, not by CI";
     }
+    fs::create_directories(golden_folder());
     raster::save_image(golden_path(name).string(), actual);
+    std::cout << "accepted: " << golden_path(name).string() << '\n';
     return testing::AssertionSuccess();
 }
 
-/// Pixel for pixel. A difference leaves three pictures to look at.
+testing::AssertionResult incomparable(const std::string& name, const raster::Image8& actual,
+                                      const std::string& reason) {
+    save_failure(name, "actual", actual);
+    return testing::AssertionFailure()
+           << reason << "; the picture drawn is " << failure_path(name, "actual").string() << '\n'
+           << how_to_accept(name);
+}
+
+/// Pixel for pixel. A difference leaves three pictures to look at, under the name of `report`.
+testing::AssertionResult same_pixels(const std::string& name, const raster::AnyImage& expected,
+                                     const raster::Image8& actual, const std::string& report) {
+    const raster::Difference difference = raster::compare(expected, actual);
+    if (difference.different_pixels == 0) return testing::AssertionSuccess();
+    save_failure(report, "expected", expected);
+    save_failure(report, "actual", actual);
+    save_failure(report, "difference", raster::difference_image(expected, actual));
+    return testing::AssertionFailure()
+           << told(difference) << "\nLook at " << failure_path(report, "expected").string()
+           << "\n        " << failure_path(report, "actual").string() << "\n        "
+           << failure_path(report, "difference").string() << '\n'
+           << how_to_accept(name);
+}
+
 testing::AssertionResult matches_golden(const std::string& name, const raster::Image8& actual) {
     if (is_accepted(name)) return accepted(name, actual);
     if (!fs::exists(golden_path(name))) {
-        save_failure(name, "actual", actual);
-        return testing::AssertionFailure()
-               << golden_path(name).string() << " is missing; the picture drawn is "
-               << failure_path(name, "actual").string() << "\n"
-               << how_to_accept(name);
+        return incomparable(name, actual, golden_path(name).string() + " is missing");
     }
-    const raster::AnyImage expected = raster::load_image(golden_path(name).string());
-    const raster::Difference difference = raster::compare(expected, actual);
-    if (difference.different_pixels == 0) return testing::AssertionSuccess();
-    save_failure(name, "expected", expected);
-    save_failure(name, "actual", actual);
-    save_failure(name, "difference", raster::difference_image(expected, actual));
-    return testing::AssertionFailure()
-           << told(difference) << "\nLook at "
-           << failure_path(name, "{expected,actual,difference}").string() << "\n"
-           << how_to_accept(name);
+    try {
+        return same_pixels(name, raster::load_image(golden_path(name).string()), actual, name);
+    } catch (const raster::ImageError& error) {  // damaged, or of another size
+        return incomparable(name, actual, error.what());
+    }
 }
 
 class Golden : public testing::TestWithParam<Figure> {};
@@ -115,12 +133,20 @@ TEST(Goldens, EachBelongsToAFigure) {
     }
 }
 
+TEST(Goldens, AcceptedOneIsAFigure) {
+    const std::string name = environment("SCANLIGHT_ACCEPT");
+    const auto has_name = [&name](const Figure& figure) { return figure.name == name; };
+    EXPECT_TRUE(name.empty() || name == "all" || std::ranges::any_of(figures(), has_name))
+        << "no figure is named '" << name << "'";
+}
+
 TEST(Goldens, OnePixelIsEnoughToFail) {
     const Figure& figure = figures().front();
-    raster::Image8 drawn = draw_figure(figure, panel_size);
+    const raster::Image8 expected = draw_figure(figure, panel_size);
+    raster::Image8 drawn = expected;
     drawn.pixel(17, 5)[1] ^= 1;
-    if (is_accepted(figure.name)) GTEST_SKIP() << "a golden is being accepted";
-    const auto result = matches_golden(figure.name, drawn);
+    const std::string report = "proof-that-it-fails";
+    const auto result = same_pixels(figure.name, expected, drawn, report);
     ASSERT_FALSE(result);
     const std::string message = result.message();
     EXPECT_NE(message.find("1 of " + std::to_string(drawn.width() * drawn.height()) + " pixels"),
@@ -129,7 +155,7 @@ TEST(Goldens, OnePixelIsEnoughToFail) {
     EXPECT_NE(message.find("(17, 5), channel 1"), std::string::npos) << message;
     EXPECT_NE(message.find("./dev golden " + figure.name), std::string::npos) << message;
     for (const char* what : {"expected", "actual", "difference"}) {
-        EXPECT_TRUE(fs::remove(failure_path(figure.name, what))) << what;
+        EXPECT_TRUE(fs::remove(failure_path(report, what))) << what;
     }
 }
 

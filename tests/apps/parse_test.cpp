@@ -52,10 +52,27 @@ TEST(ParseSize, TakesOneTo16384EachWay) {
 }
 
 TEST(ParseSize, RefusesTheRest) {
-    expect_refused([](const auto& text) { parse_size(text); },
-                   {"", "x", "640", "640x", "x480", "0x0", "0x5", "5x0", "-1x5", "5x-1", "16385x1",
-                    "1x16385", "99999999999x1", "1x99999999999999999999", "640X480", "640x480x3",
-                    "6.4x4.8", "640 x 480", "640x480 ", "nanx1", "0x10x0x10"});
+    expect_refused([](const auto& text) { parse_size(text); }, {"",
+                                                                "x",
+                                                                "640",
+                                                                "640x",
+                                                                "x480",
+                                                                "0x0",
+                                                                "0x5",
+                                                                "5x0",
+                                                                "-1x5",
+                                                                "5x-1",
+                                                                "16385x1",
+                                                                "1x16385",
+                                                                "99999999999x1",
+                                                                "1x99999999999999999999",
+                                                                "640X480",
+                                                                "640x480x3",
+                                                                "6.4x4.8",
+                                                                "640 x 480",
+                                                                "640x480 ",
+                                                                "nanx1",
+                                                                "0x10x0x10"});
 }
 
 TEST(ParseView, TakesAzimuthAndElevation) {
@@ -95,9 +112,9 @@ TEST(ParseColor, TakesLinearNumbers) {
 
 TEST(ParseColor, RefusesTheRest) {
     expect_refused([](const auto& text) { parse_color(text); },
-                   {"", "#", "#ff", "#ffff", "#fffff", "#fffffff", "#ggg", "#-12345", "#+12345",
-                    "red", "-1", "1,2", "1,2,3,4", "1,-1,1", "nan", "inf", "1e7", "1,1,1e39",
-                    "0.5,,0.5", "# fff"});
+                   {"",        "#",       "#ff", "#ffff",    "#fffff",   "#fffffff", "#ggg",
+                    "#-12345", "#+12345", "red", "-1",       "1,2",      "1,2,3,4",  "1,-1,1",
+                    "nan",     "inf",     "1e7", "1,1,1e39", "0.5,,0.5", "# fff"});
 }
 
 TEST(ParseLight, ComesFromTheCameraUnlessItSays) {
@@ -112,8 +129,8 @@ TEST(ParseLight, ComesFromTheCameraUnlessItSays) {
 }
 
 TEST(ParseLight, TakesAColorAndAFalloffInAnyOrder) {
-    for (const auto* text : {"point:1,2,3,#ff0000,inverse-square",
-                             "point:1,2,3,inverse-square,#ff0000"}) {
+    for (const auto* text :
+         {"point:1,2,3,#ff0000,inverse-square", "point:1,2,3,inverse-square,#ff0000"}) {
         const auto light = parse_light(text);
         EXPECT_EQ(light.color, glm::vec3(1.0f, 0.0f, 0.0f));
         EXPECT_EQ(light.falloff, shading::Falloff::inverse_square);

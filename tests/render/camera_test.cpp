@@ -66,8 +66,8 @@ TEST(Camera, PipeC_Pixel) {
     Scene scene;
     scene.camera = example_camera();
     const Frame frame = frame_of(scene, Distances::finite, {640, 480});
-    const auto snapped = raster::snapped<0>(glm::vec4(frame.clip_from_world * example_point),
-                                            frame.viewport);
+    const auto snapped =
+        raster::snapped<0>(glm::vec4(frame.clip_from_world * example_point), frame.viewport);
     EXPECT_NEAR(snapped.x / 256.0, 372.583159, 0.5 / 256.0 + 1e-4);
     EXPECT_NEAR(snapped.y / 256.0, 194.379147, 0.5 / 256.0 + 1e-4);
 }

@@ -104,8 +104,7 @@ TEST(Frame, AtInfinityEyeAndLampsHaveTheTargetsDirections) {
     const auto& from_lamp = frame.lighting.lights[0];
     EXPECT_EQ(from_lamp.kind, shading::Light<float>::Kind::directional);
     EXPECT_EQ(from_lamp.intensity, glm::vec3(0.7f));
-    const glm::dvec3 towards_lamp =
-        glm::normalize(glm::dvec3(lamp) - c.scene.camera.target);
+    const glm::dvec3 towards_lamp = glm::normalize(glm::dvec3(lamp) - c.scene.camera.target);
     EXPECT_LT(glm::length(glm::dvec3(from_lamp.place) - towards_lamp), 1e-6);
     EXPECT_EQ(frame.lighting.lights[1].place, c.scene.lighting.lights[1].place);
     for (int i = 0; i < 20; ++i) {

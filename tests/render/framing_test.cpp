@@ -26,8 +26,8 @@ Reach reach_of(const Camera& camera, const std::vector<Object>& objects, double 
     for (const Object& object : objects) {
         const auto& vertices = object.mesh->vertices;
         for (std::size_t i = 0; i < vertices.size(); ++i) {
-            const glm::dvec4 p = clip * object.world_from_object *
-                                 glm::dvec4(glm::dvec3(vertices.position(i)), 1.0);
+            const glm::dvec4 p =
+                clip * object.world_from_object * glm::dvec4(glm::dvec3(vertices.position(i)), 1.0);
             EXPECT_GT(p.w, 0.0) << "behind the eye";
             const glm::dvec3 ndc = glm::dvec3(p) / p.w;
             reach.left = std::min(reach.left, ndc.x);

@@ -192,7 +192,8 @@ mesh::Mesh painted_square() {
 Scene white_square_scene(const mesh::Mesh& mesh, Projection projection) {
     const shading::Material<float> white{glm::vec3(1.0f), glm::vec3(1.0f), glm::vec3(0.0f), 1.0};
     Scene scene = scene_of(std::vector{object_of(mesh, white)}, {{0.0, 0.0}, size, projection});
-    scene.lighting = {glm::vec3(0.25f), {shading::directional_light<float>({0, 0, 1}, glm::vec3(0.5f))}};
+    scene.lighting = {glm::vec3(0.25f),
+                      {shading::directional_light<float>({0, 0, 1}, glm::vec3(0.5f))}};
     return scene;
 }
 

@@ -290,8 +290,9 @@ TEST(DrawCounts, AddUp) {
         for (int i = 0; i < 9; ++i) {
             Scene scene = scene_of(mesh, {{random.between(0.0, 360.0), 30.0}, size});
             scene.camera.magnification *= random.between(0.5, 6.0);  // some lie outside
-            const Settings settings = with_cull(
-                shaded(all_shadings[static_cast<std::size_t>(i % 3)]), i % 2 ? Cull::back : Cull::none);
+            const Settings settings =
+                with_cull(shaded(all_shadings[static_cast<std::size_t>(i % 3)]),
+                          i % 2 ? Cull::back : Cull::none);
             const Drawing drawing = draw(scene, settings, size);
             const DrawCounts& counts = drawing.counts;
             EXPECT_EQ(counts.polygons, mesh.face_count());

@@ -26,14 +26,15 @@ bool is_inked(const raster::Framebuffer& target, const glm::dvec3& screen) {
 }
 
 std::size_t inked_pixels(const raster::Framebuffer& target) {
-    return static_cast<std::size_t>(std::count(target.color.values().begin(),
-                                               target.color.values().end(), ink));
+    return static_cast<std::size_t>(
+        std::count(target.color.values().begin(), target.color.values().end(), ink));
 }
 
 /// The middle of each of the cube's twelve edges, and whether it is hidden from (+x, +y, +z): those
 /// that meet in the corner (-1, -1, -1).
 struct EdgeMiddle {
     glm::dvec3 place;
+    glm::dvec3 half;  // from there to an end
     bool hidden;
 };
 
@@ -45,7 +46,9 @@ std::vector<EdgeMiddle> cube_edges() {
                 glm::dvec3 place(0.0);
                 place[(axis + 1) % 3] = a;
                 place[(axis + 2) % 3] = b;
-                edges.push_back({place, a < 0.0 && b < 0.0});
+                glm::dvec3 half(0.0);
+                half[axis] = 1.0;
+                edges.push_back({place, half, a < 0.0 && b < 0.0});
             }
         }
     }
@@ -71,6 +74,20 @@ TEST_P(WireframeOfACube, WithoutHiddenLinesShowsNine) {
     for (const auto& edge : cube_edges()) {
         EXPECT_EQ(is_inked(target, screen_from_world(scene.camera, size, edge.place)), !edge.hidden)
             << edge.place.x << ' ' << edge.place.y << ' ' << edge.place.z;
+    }
+}
+
+/// Outlines of steep faces too: beside the line such a face comes much nearer.
+TEST_P(WireframeOfACube, VisibleEdgesHaveNoGaps) {
+    auto target = draw(scene, {}, size).framebuffer;
+    draw_wireframe(scene, ink, HiddenLines::removed, target);
+    for (const auto& edge : cube_edges()) {
+        if (edge.hidden) continue;
+        for (double t = -0.9; t < 0.95; t += 0.05) {
+            const glm::dvec3 place = edge.place + t * edge.half;
+            EXPECT_TRUE(is_inked(target, screen_from_world(scene.camera, size, place)))
+                << place.x << ' ' << place.y << ' ' << place.z;
+        }
     }
 }
 

@@ -1,0 +1,220 @@
+// What the program says of itself and of mistakes, and what it ends with.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/apps/shell.h"
+
+namespace scanlight::apps {
+namespace {
+
+const std::vector<std::string> commands{"render", "info", "diff", "steps", "gallery"};
+
+// ---- help and version
+
+TEST(Help, OfTheProgramNamesEveryCommand) {
+    const Shell shell;
+    for (const auto* line : {"scanlight --help", "scanlight -h", "scanlight"}) {
+        const Outcome outcome = shell.run(line);
+        EXPECT_EQ(outcome.status, 0) << line;
+        EXPECT_EQ(outcome.err, "");
+        for (const auto& command : commands)
+            EXPECT_NE(outcome.out.find("\n  " + command), std::string::npos) << command;
+        EXPECT_NE(outcome.out.find("Examples:"), std::string::npos);
+    }
+}
+
+TEST(Help, OfEachCommandHasExamples) {
+    const Shell shell;
+    for (const auto& command : commands) {
+        const Outcome outcome = shell.run("scanlight " + command + " --help");
+        EXPECT_EQ(outcome.status, 0) << command;
+        EXPECT_EQ(outcome.err, "");
+        EXPECT_NE(outcome.out.find("scanlight " + command), std::string::npos) << command;
+        EXPECT_NE(outcome.out.find("Examples:"), std::string::npos) << command;
+    }
+    EXPECT_EQ(shell.file_count(), 0u);
+}
+
+TEST(Version, IsOneLineFromEachCommand) {
+    const Shell shell;
+    const Outcome outcome = shell.run("scanlight --version");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_TRUE(outcome.out.starts_with("scanlight ")) << outcome.out;
+    EXPECT_EQ(outcome.out.find('\n'), outcome.out.size() - 1);
+    for (const auto& command : commands) {
+        const Outcome same = shell.run("scanlight " + command + " --version");
+        EXPECT_EQ(same.status, 0) << command;
+        EXPECT_EQ(same.out, outcome.out) << command;
+    }
+}
+
+// ---- mistakes
+
+/// One line that begins with the program's name, exit status 2, and no file that was not there.
+void expect_refused(const Shell& shell, const std::string& line) {
+    const std::size_t files = shell.file_count();
+    const Outcome outcome = shell.run(line);
+    EXPECT_EQ(outcome.status, 2) << line;
+    EXPECT_EQ(outcome.out, "") << line;
+    EXPECT_TRUE(is_one_complaint(outcome.err)) << line << '\n' << outcome.err;
+    EXPECT_EQ(shell.file_count(), files) << line;
+}
+
+TEST(Mistakes, OnTheCommandLineAreRefused) {
+    const Shell shell;
+    for (const auto* line :
+         {"scanlight --nonsense", "scanlight render", "scanlight info", "scanlight diff",
+          "scanlight diff a.png", "scanlight steps", "scanlight gallery",
+          "scanlight render cube a.png b.png", "scanlight info cube torus",
+          "scanlight render cube --nonsense", "scanlight nosuchfile.obj out.png",
+          "scanlight render nosuchfile.obj -o out.png", "scanlight info nosuchfile.obj",
+          "scanlight info shape:nosuchshape", "scanlight info torus:1",
+          "scanlight diff nosuch.png nosuch.png", "scanlight steps nosuchfile.obj",
+          "scanlight render /dev/null -o out.png", "scanlight render . -o out.png"}) {
+        expect_refused(shell, line);
+    }
+}
+
+struct BadValues {
+    std::string option;
+    std::vector<std::string> values;
+};
+
+const std::vector<BadValues> bad_values{
+    {"--size", {"0x0", "-1x5", "16385x1", "99999999999x1", "640x", "x", "nan", ""}},
+    {"--shading", {"smooth", "", "Phong"}},
+    {"--illumination", {"cook", "lambert,phong"}},
+    {"--interpolation", {"planar"}},
+    {"--perspective", {"yes"}},
+    {"--cull", {"both"}},
+    {"--sides", {"2"}},
+    {"--distances", {"far"}},
+    {"--normals", {"mine"}},
+    {"--crease", {"-1", "181", "nan", "x"}},
+    {"--material", {"kd=red", "shine=1", "n=nan", "kd"}},
+    {"--view", {"30", "0,91", "nan,0", "a,b"}},
+    {"--fov", {"0", "171", "nan", "inf", "wide"}},
+    {"--lens", {"0", "-50", "nan"}},
+    {"--projection", {"fisheye"}},
+    {"--zoom", {"0", "-1", "nan", "inf"}},
+    {"--eye", {"1,2", "1,2,nan", "1e300,0,0"}},
+    {"--target", {"origin"}},
+    {"--light", {"1,2", "moon:1,2,3", "1,2,3,#12", "1,2,3,cubic"}},
+    {"--falloff-k", {"0", "-1", "nan"}},
+    {"--gouraud71-k", {"0", "nan"}},
+    {"--ambient", {"-1", "1e300", "#12345", "nan"}},
+    {"--background", {"clear", "#xyz"}},
+};
+
+TEST(Mistakes, InAnOptionOfTheSceneLeaveNoOutput) {
+    const Shell shell;
+    for (const auto& [option, values] : bad_values) {
+        for (const auto& value : values) {
+            expect_refused(
+                shell, "scanlight render cube -s 8x8 -o out.png " + option + "='" + value + "'");
+        }
+    }
+    EXPECT_EQ(shell.file_count(), 0u);
+}
+
+TEST(Mistakes, InAnOptionOfStepsLeaveNoOutput) {
+    const Shell shell;
+    for (const auto* option :
+         {"--size=0x0", "--fov=nan", "--polygon=0", "--polygon=7", "--polygon=-1", "--polygon=1.5",
+          "--polygon=x", "--polygon=nan", "--polygon=99999999999", "--wireframe=some"}) {
+        expect_refused(shell, std::string("scanlight steps cube -o out.txt ") + option);
+    }
+    EXPECT_EQ(shell.file_count(), 0u);
+}
+
+TEST(Mistakes, InTheOutputsAreSaidBeforeTheWork) {
+    const Shell shell;
+    for (const auto* options :
+         {"-o out.gif", "-o out", "-o png", "-o nosuchfolder/out.png", "--format gif -o out.png",
+          "-o out.png --aov depth", "-o out.png --aov depth:", "-o out.png --aov alpha:a.png",
+          "-o out.png --aov depth:z.gif", "-o out.png --stats xml",
+          "-o out.png --wireframe=some"}) {
+        expect_refused(shell, std::string("scanlight render cube -s 8x8 ") + options);
+    }
+    expect_refused(shell, "scanlight gallery pictures --panel 0x0");
+    expect_refused(shell, "scanlight gallery pictures --only nosuchpicture");
+    EXPECT_EQ(shell.file_count(), 0u);
+}
+
+TEST(Mistakes, KeepAnOldFileAsItWas) {
+    const Shell shell;
+    shell.write("out.png", "not yet a picture");
+    shell.write("broken.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 900000\n");
+    for (const auto* options : {"cube --size 0x0", "cube --fov nan", "cube --aov depth:z.gif",
+                                "nosuchfile.obj", "broken.obj", "cube --wireframe=some"}) {
+        expect_refused(shell, std::string("scanlight render -o out.png ") + options);
+        EXPECT_EQ(shell.read("out.png"), "not yet a picture") << options;
+    }
+}
+
+TEST(Mistakes, InAMeshFileNameTheFileAndTheLine) {
+    const Shell shell;
+    shell.write("broken.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 900000\n");
+    for (const auto* command : {"render", "info", "steps"}) {
+        const Outcome outcome = shell.run(std::string("scanlight ") + command + " broken.obj");
+        EXPECT_EQ(outcome.status, 2);
+        EXPECT_TRUE(is_one_complaint(outcome.err)) << outcome.err;
+        EXPECT_NE(outcome.err.find("broken.obj:4"), std::string::npos) << outcome.err;
+    }
+}
+
+// ---- standard output that takes nothing
+
+const std::vector<std::string> printing_lines{
+    "scanlight --help",
+    "scanlight render --help",
+    "scanlight --version",
+    "scanlight info cube",
+    "scanlight info cube --json",
+    "scanlight steps cube --polygon 1",
+    "scanlight render cube -s 8x8 -o -",
+    "scanlight render cube -s 8x8 -o a.png -q --stats json",
+    "scanlight diff b.png b.png"};
+
+void expect_output_missed(const std::string& redirection) {
+    const Shell shell;
+    ASSERT_EQ(shell.run("scanlight render cube -s 8x8 -q -o b.png").status, 0);
+    for (const auto& line : printing_lines) {
+        const Outcome outcome = shell.run(line + redirection);
+        EXPECT_EQ(outcome.status, 2) << line;
+        EXPECT_TRUE(is_one_complaint(outcome.err)) << line << '\n' << outcome.err;
+    }
+}
+
+TEST(StandardOutput, ThatIsFullIsAnError) {
+    expect_output_missed(" >/dev/full");
+}
+
+TEST(StandardOutput, ThatIsClosedIsAnError) {
+    expect_output_missed(" >&-");
+}
+
+// ---- surroundings
+
+TEST(Surroundings, AGermanLocaleChangesNothing) {
+    const Shell shell;
+    const std::string german = "LOCPATH=$PWD LC_ALL=de_DE.UTF-8 ";
+    shell.run("localedef -i de_DE -f UTF-8 ./de_DE.UTF-8");
+    if (shell.run(german + "bash -c \"printf %.1f '0,5'\"").out != "0,5") {
+        GTEST_SKIP() << "a German locale cannot be made here";
+    }
+    for (const auto* line : {"scanlight steps shape:star --view 0,0", "scanlight info teapot",
+                             "scanlight render cube -s 16x16 --fov 33.5 --zoom 0.5 -o -"}) {
+        const Outcome plain = shell.run(std::string("LC_ALL=C ") + line);
+        const Outcome same = shell.run(german + line);
+        EXPECT_EQ(plain.status, 0);
+        EXPECT_EQ(same.status, 0) << same.err;
+        EXPECT_EQ(plain.out, same.out);
+    }
+}
+
+}  // namespace
+}  // namespace scanlight::apps
