@@ -36,8 +36,9 @@ public:
     T& at(int x, int y) { return row(y)[static_cast<std::size_t>(x)]; }
     const T& at(int x, int y) const { return row(y)[static_cast<std::size_t>(x)]; }
 
-    /// All values, row by row.
-    std::span<const T> values() const { return values_; }
+    /// All values, row by row. Not of a temporary: the span would outlive them.
+    std::span<const T> values() const& { return values_; }
+    std::span<const T> values() const&& = delete;
 
     friend bool operator==(const Plane& a, const Plane& b) {
         return a.width() == b.width() && a.height() == b.height() && a.values_ == b.values_;

@@ -165,7 +165,8 @@ TEST(LightLaws, AtInfinityAFloorIsOneColor) {
         Settings settings;
         settings.distances = distances;
         std::set<float> reds;
-        for (const auto& color : draw(scene, settings, size).framebuffer.color.values())
+        const Picture picture = draw(scene, settings, size).framebuffer.color;
+        for (const auto& color : picture.values())
             reds.insert(color.r);
         return reds.size();
     };

@@ -170,7 +170,8 @@ TEST(ShadingLaws, PhongFindsTheHighlightThatGouraudLoses) {
     scene.objects[0].materials[0].exponent = 200.0;
     const auto brightest = [&](Shading shading) {
         float best = 0.0f;
-        for (const auto& color : picture(scene, shaded(shading)).values())
+        const auto colors = picture(scene, shaded(shading));
+        for (const auto& color : colors.values())
             best = std::max(best, color.b);
         return best;
     };
