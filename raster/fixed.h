@@ -5,9 +5,9 @@
 
 namespace scanlight::raster {
 
-// The number formats of the rasterizer. Coverage and interpolation are integer arithmetic, which
-// has no rounding to differ in: repeated addition, direct evaluation and any number of lanes give
-// the same bits.
+// The number formats of the rasterizer. Coverage is exact integer arithmetic. Increments are
+// rounded to integers once, and from there on added exactly: repeated addition, direct evaluation
+// and any number of lanes give the same bits.
 
 /// Screen coordinate in 1/256 pixel. Pixel (i, j) has its centre at (256 i + 128, 256 j + 128).
 using SubPixel = std::int32_t;

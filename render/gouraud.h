@@ -11,7 +11,8 @@
 
 namespace scanlight::render {
 
-/// The intensity of each vertex as it is seen from one side. Linear, unclamped.
+/// The intensity of each vertex as it is seen from one side. Linear; where they are interpolated
+/// channels above 4 count as 4, the range of the rasterizer's fixed point.
 std::vector<glm::vec3> illuminate_vertices(const PlacedMesh& placed, const Frame& frame,
                                            const Settings& settings, Side side);
 

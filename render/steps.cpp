@@ -23,6 +23,15 @@ PolygonSteps::Corner noted(const raster::ScreenVertex<N>& corner, std::size_t sh
     return note;
 }
 
+/// In perspective what runs along is each value times q.
+std::vector<std::string> named(std::vector<std::string> names, const Settings& settings) {
+    if (settings.perspective == Perspective::correct) {
+        for (auto& name : names)
+            name += " q";
+    }
+    return names;
+}
+
 /// `names` are those of the first attributes; more may run along for the perspective.
 template <class Technique>
 std::vector<PolygonSteps> trace_with(const PlacedMesh& placed, const Technique& technique,
@@ -61,7 +70,8 @@ std::vector<PolygonSteps> trace_polygons(const Scene& scene, const Settings& set
             return trace_with(mesh, GouraudTechnique(mesh, frame, settings), frame, settings,
                               {"I_r", "I_g", "I_b"});
         case Shading::phong:
-            return trace_with(mesh, NormalTechnique(mesh), frame, settings, {"N_x", "N_y", "N_z"});
+            return trace_with(mesh, NormalTechnique(mesh), frame, settings,
+                              named({"N_x", "N_y", "N_z"}, settings));
     }
     return {};
 }

@@ -13,7 +13,8 @@ namespace scanlight::render {
 
 /// What the scanline algorithm does to one polygon of a scene, in numbers for people to read.
 /// `names` are those of the values interpolated: I_r I_g I_b for intensities, N_x N_y N_z for
-/// normals, none for flat shading.
+/// normals, none for flat shading; in correct perspective the values are multiplied by q, and so
+/// are the names: "I_r q".
 struct PolygonSteps {
     struct Corner {
         double x, y;  // pixels

@@ -14,6 +14,7 @@ void add_info_command(CLI::App& program);
 void add_diff_command(CLI::App& program);
 void add_steps_command(CLI::App& program);
 void add_gallery_command(CLI::App& program);
+void add_shapes_command(CLI::App& program);
 
 /// Exit status 1: the pictures differ. Not an error.
 struct Dissimilar {};

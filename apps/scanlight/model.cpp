@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "apps/scanlight/stopwatch.h"
+#include "apps/scanlight/usage_error.h"
 #include "mesh/load.h"
 #include "mesh/shapes.h"
 
@@ -18,10 +19,19 @@ mesh::PolygonSoup load_soup(const std::string& input) {
     const auto status = std::filesystem::status(input, ignored);
     const bool is_file =
         input == "-" || (std::filesystem::exists(status) && !std::filesystem::is_directory(status));
-    return !is_file && mesh::is_shape(input) ? mesh::shape(input) : mesh::load(input);
+    if (is_file) return mesh::load(input);
+    if (mesh::is_shape(input)) return mesh::shape(input);
+    throw UsageError(input + ": no such file, nor a built-in shape: " + shape_names());
 }
 
 }  // namespace
+
+std::string shape_names() {
+    std::string names;
+    for (const auto& shape : mesh::list_shapes())
+        names += (names.empty() ? "" : ", ") + shape.name;
+    return names;
+}
 
 Model load_model(const std::string& input, const mesh::NormalRule& normals) {
     Model model;

@@ -17,6 +17,9 @@ struct Model {
     double build_seconds = 0.0;
 };
 
+/// "cube, tetrahedron, …"
+std::string shape_names();
+
 /// `input` is a file, "-" for standard input, or a built-in shape: "teapot", "torus:48,24". A file
 /// of that name comes first; "shape:teapot" is always the shape.
 Model load_model(const std::string& input, const mesh::NormalRule& normals);

@@ -3,9 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <sstream>
 
 #include "apps/scanlight/usage_error.h"
 #include "raster/srgb.h"
@@ -178,6 +176,12 @@ LightOption parse_light(std::string_view text) {
             refuse("light", text, expected);
         }
     }
+    const bool is_point = light.frame == LightFrame::point;
+    if (!is_point && light.falloff != shading::Falloff::constant) {
+        refuse("light", text, "point: before a place, for a light at infinity has no fall-off");
+    }
+    if (!is_point && light.place == glm::dvec3(0.0))
+        refuse("light", text, "a direction that is not 0,0,0");
     return light;
 }
 
@@ -189,7 +193,9 @@ shading::Material<float> parse_material(std::string_view text, shading::Material
         if (parts.size() != 2) refuse("material", word, "ka=…, kd=…, ks=… or n=…");
         const auto [key, value] = std::pair(parts[0], parts[1]);
         if (key == "n") {
-            base.exponent = parse_number(value, "material n");
+            const double exponent = parse_number(value, "material n");
+            if (exponent < 0.0) refuse("material n", value, "0 or more");
+            base.exponent = exponent;
         } else if (key == "ka") {
             base.ambient = parse_color(value);
             has_ambient = true;

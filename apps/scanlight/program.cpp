@@ -35,9 +35,15 @@ void add_commands(CLI::App& program) {
     add_diff_command(program);
     add_steps_command(program);
     add_gallery_command(program);
+    add_shapes_command(program);
     for (CLI::App* command : program.get_subcommands({})) {
         command->set_version_flag("--version", program.version());
     }
+}
+
+bool is_command(const CLI::App& program, const std::string& word) {
+    const auto is_named = [&](const CLI::App* command) { return command->get_name() == word; };
+    return !program.get_subcommands(is_named).empty();
 }
 
 /// `scanlight IN OUT` means `scanlight render IN OUT`.
@@ -45,10 +51,7 @@ std::vector<std::string> with_command(const CLI::App& program, std::vector<std::
     if (arguments.empty()) return {"--help"};
     const std::string& first = arguments.front();
     const bool is_option = first.size() > 1 && first.front() == '-';
-    const auto commands = program.get_subcommands(
-        [&](const CLI::App* command) { return command->get_name() == first; });
-    const bool is_command = !commands.empty();
-    if (!is_option && !is_command) arguments.insert(arguments.begin(), "render");
+    if (!is_option && !is_command(program, first)) arguments.insert(arguments.begin(), "render");
     return arguments;
 }
 
@@ -64,13 +67,15 @@ bool standard_output_took_all() {
 
 int parse_and_run(CLI::App& program, std::vector<std::string> arguments) {
     arguments = with_command(program, std::move(arguments));
+    const std::string command =
+        is_command(program, arguments.front()) ? arguments.front() + " " : "";
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them last first
     try {
         program.parse(arguments);
     } catch (const CLI::Success& wanted) {  // --help, --version
         return program.exit(wanted);
     } catch (const CLI::ParseError& error) {
-        return report(std::string(error.what()) + "; see scanlight --help");
+        return report(std::string(error.what()) + "; see scanlight " + command + "--help");
     }
     return exit_ok;
 }

@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -68,7 +70,9 @@ void add_output_options(CLI::App& app, RenderOptions& options) {
            "(colours, or PFM), id (polygon number in 24 bits, or PFM)")
         ->type_name("depth|normal|id:PATH")
         ->allow_extra_args(false);
-    app.add_option("--stats", options.statistics, "counts and times, on standard output")
+    app.add_option(
+           "--stats", options.statistics,
+           "counts and times, on standard output, or on standard error if a picture goes there")
         ->type_name("json|text")
         ->check(CLI::IsMember({"json", "text"}));
     app.add_flag("-q,--quiet", options.quiet, "no messages but errors");
@@ -114,12 +118,13 @@ raster::AnyImage aov_image(Aov kind, bool floats, const render::Scene& scene,
             if (!floats) return normals_image(normals);
             return normals_float_image(normals);
         }
-        case Aov::id:
-            break;
+        case Aov::id: {
+            const auto ids = render::draw_ids(scene, options.settings, options.size);
+            if (!floats) return ids_image(ids);
+            return ids_float_image(ids);
+        }
     }
-    const auto ids = render::draw_ids(scene, options.settings, options.size);
-    if (floats) return ids_float_image(ids);
-    return ids_image(ids);
+    return {};
 }
 
 void save_aov(const AovOption& aov, const render::Scene& scene, const SceneOptions& options,
@@ -134,8 +139,17 @@ void check_outputs(RenderOptions& options) {
     if (options.output.empty()) options.output = default_output(options.scene.input);
     format_of(options.output, options.format);
     wireframe_of(options.scene);
-    for (const auto& aov : options.aovs)
+    std::set<std::string> paths{options.output};
+    for (const auto& aov : options.aovs) {
         raster::image_format(aov.path);
+        if (!paths.insert(aov.path).second)
+            throw UsageError(aov.path + ": two pictures of one name");
+    }
+}
+
+bool uses_standard_output(const RenderOptions& options) {
+    const auto is_pipe = [](const AovOption& aov) { return aov.path == "-"; };
+    return options.output == "-" || std::ranges::any_of(options.aovs, is_pipe);
 }
 
 void say(const RenderOptions& options, const std::string& message) {
@@ -179,7 +193,7 @@ void render(RenderOptions& options) {
     if (!options.statistics.empty()) {
         const std::string text =
             options.statistics == "json" ? as_json(statistics) : as_text(statistics);
-        print_data(text, options.output);
+        print_data(text, uses_standard_output(options) ? "-" : options.output);
     }
     if (options.output != "-") say(options, summary(options.output, statistics));
 }
@@ -192,6 +206,8 @@ void add_render_command(CLI::App& program) {
     add_scene_options(*command, options->scene);
     add_output_options(*command, *options);
     command->footer(
+        "Built-in shapes: " + shape_names() +
+        " (see scanlight shapes).\n"
         "Examples:\n"
         "  scanlight render teapot -o teapot.png --shading gouraud\n"
         "  scanlight render bunny.obj -o bunny.png --view 200,15 --material \"kd=#c8b090 ks=0.2 "

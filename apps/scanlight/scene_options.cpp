@@ -1,8 +1,9 @@
 #include "apps/scanlight/scene_options.h"
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "apps/scanlight/usage_error.h"
 
@@ -13,7 +14,8 @@ namespace {
 /// An option with a fixed set of words.
 template <class Enum>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Enum& value,
-                        const std::map<std::string, Enum>& words, const std::string& help) {
+                        const std::vector<std::pair<std::string, Enum>>& words,
+                        const std::string& help) {
     std::string list;
     std::string preset;
     for (const auto& [word, meaning] : words) {
@@ -21,9 +23,12 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Enum& value,
         if (meaning == value) preset = word;
     }
     const auto choose = [&value, words, name, list](const std::string& text) {
-        const auto found = words.find(text);
-        if (found == words.end()) throw UsageError(name + " '" + text + "': expected " + list);
-        value = found->second;
+        for (const auto& [word, meaning] : words) {
+            if (text != word) continue;
+            value = meaning;
+            return;
+        }
+        throw UsageError(name + " '" + text + "': expected " + list);
     };
     return app.add_option_function<std::string>(name, choose, help)
         ->type_name(list)
@@ -67,11 +72,11 @@ void add_picture_options(CLI::App& app, SceneOptions& o) {
     add_choice<Polygons>(
         app, "--interpolation", o.polygons,
         {{"bilinear", Polygons::bilinear}, {"triangulated", Polygons::triangulated}},
-        "n-gons as they are, or cut into triangles first");
+        "n-gons by the textbook's bilinear rule, or cut into triangles first");
     add_choice<render::Perspective>(
         app, "--perspective", o.settings.perspective,
         {{"correct", render::Perspective::correct}, {"affine", render::Perspective::affine}},
-        "attributes even over the object, or over the screen as in the textbook");
+        "attributes even over the object, or (affine) over the screen as in the textbook");
     add_choice<render::Cull>(app, "--cull", o.settings.cull,
                              {{"none", render::Cull::none},
                               {"back", render::Cull::back},
@@ -84,8 +89,10 @@ void add_picture_options(CLI::App& app, SceneOptions& o) {
         app, "--distances", o.settings.distances,
         {{"finite", render::Distances::finite}, {"infinite", render::Distances::infinite}},
         "eye and lights at their places, or at infinity as in the textbook");
-    app.add_flag("--wireframe{all}", o.wireframe_word,
-                 "draw edges: =all, =hidden (without the hidden ones), =over (over the shading)");
+    app.add_flag(
+        "--wireframe{all}", o.wireframe_word,
+        "draw edges: =all (or no word), =hidden (without the hidden ones), =over (over the\n"
+        "shading)");
 }
 
 void add_mesh_options(CLI::App& app, SceneOptions& o) {
@@ -109,16 +116,18 @@ void add_mesh_options(CLI::App& app, SceneOptions& o) {
 }
 
 void add_camera_options(CLI::App& app, SceneOptions& o) {
-    add_text(app, "--view", "AZ,EL", "look from this azimuth and elevation, in degrees",
-             [&o](const std::string& text) { o.view = parse_view(text); })
-        ->default_str("30,20");
-    app.add_option("--fov", o.fov_deg, "vertical field of view")
-        ->type_name("DEG")
-        ->check(within(1.0, 170.0))
-        ->capture_default_str();
+    CLI::Option* view =
+        add_text(app, "--view", "AZ,EL", "look from this azimuth and elevation, in degrees",
+                 [&o](const std::string& text) { o.view = parse_view(text); })
+            ->default_str("30,20");
+    CLI::Option* fov = app.add_option("--fov", o.fov_deg, "vertical field of view")
+                           ->type_name("DEG")
+                           ->check(within(1.0, 170.0))
+                           ->capture_default_str();
     app.add_option("--lens", o.lens_mm, "focal length for a frame 24 mm high, instead of --fov")
         ->type_name("MM")
-        ->check(within(1.0, 5000.0));
+        ->check(within(1.0, 5000.0))
+        ->excludes(fov);
     add_choice<render::Projection>(app, "--projection", o.projection,
                                    {{"perspective", render::Projection::perspective},
                                     {"orthographic", render::Projection::orthographic}},
@@ -126,10 +135,13 @@ void add_camera_options(CLI::App& app, SceneOptions& o) {
     app.add_option("--zoom", o.zoom, "enlarge the picture about its centre")
         ->check(within(0.001, 1000.0))
         ->capture_default_str();
-    add_text(app, "--eye", "X,Y,Z", "the camera's place in the world, instead of --view",
-             [&o](const std::string& text) { o.eye = parse_point(text, "eye"); });
+    CLI::Option* eye =
+        add_text(app, "--eye", "X,Y,Z", "the camera's place in the world, instead of --view",
+                 [&o](const std::string& text) { o.eye = parse_point(text, "eye"); })
+            ->excludes(view);
     add_text(app, "--target", "X,Y,Z", "what --eye looks at; the middle of the mesh if not given",
-             [&o](const std::string& text) { o.target = parse_point(text, "target"); });
+             [&o](const std::string& text) { o.target = parse_point(text, "target"); })
+        ->needs(eye);
 }
 
 void add_light_options(CLI::App& app, SceneOptions& o) {
@@ -140,8 +152,10 @@ void add_light_options(CLI::App& app, SceneOptions& o) {
                    o.lights.push_back(parse_light(text));
            },
            "a light, repeatable: its direction as the camera sees it (right, up, towards the\n"
-           "viewer); world:x,y,z is a direction in the world, point:x,y,z a place in it")
-        ->type_name("X,Y,Z[,#COLOUR][,FALLOFF]")
+           "viewer); world:x,y,z is a direction in the world, point:x,y,z a place in it, which "
+           "may\n"
+           "have a fall-off: constant, inverse, inverse-square or inverse-plus-k")
+        ->type_name("[world:|point:]X,Y,Z[,#RRGGBB][,FALLOFF]")
         ->allow_extra_args(false);
     app.add_option("--falloff-k", o.falloff_k, "k of inverse-plus-k, in world units")
         ->check(within(1e-6, 1e6))
@@ -149,9 +163,9 @@ void add_light_options(CLI::App& app, SceneOptions& o) {
     app.add_option("--gouraud71-k", o.settings.gouraud71_k, "k of gouraud71, in world units")
         ->check(within(1e-6, 1e6))
         ->capture_default_str();
-    add_text(app, "--ambient", "COLOUR", "the ambient light I_a", [&o](const std::string& text) {
-        o.ambient = parse_color(text);
-    })->default_str("0.15");
+    add_text(app, "--ambient", "COLOUR", "the ambient light I_a: #rrggbb, or linear grey or r,g,b",
+             [&o](const std::string& text) { o.ambient = parse_color(text); })
+        ->default_str("0.15");
     add_text(app, "--background", "COLOUR|none", "none is transparent",
              [&o](const std::string& text) {
                  if (text == "none") {

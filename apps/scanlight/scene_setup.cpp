@@ -1,5 +1,9 @@
 #include "apps/scanlight/scene_setup.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "mesh/bounds.h"
@@ -48,6 +52,11 @@ render::Camera camera_of(const std::vector<render::Object>& objects, const Scene
     if (options.eye) {
         camera.target = options.target.value_or(mesh::bounding_box(*objects.front().mesh).center());
         camera.eye = *options.eye;
+        if (options.projection == render::Projection::orthographic) {
+            // What the field of view would show at the target.
+            const glm::dvec3 line = camera.eye - camera.target;
+            camera.magnification /= std::max(std::sqrt(glm::dot(line, line)), 1e-30);
+        }
     } else {
         camera = render::framed(camera, objects, aspect);
     }

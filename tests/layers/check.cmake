@@ -7,6 +7,7 @@
 # cmake -DROOT=<the house> -P check.cmake
 cmake_minimum_required(VERSION 3.25)
 
+cmake_path(ABSOLUTE_PATH ROOT)
 set(folders mesh shading raster render apps tests)
 set(mesh_may_include    mesh)
 set(shading_may_include shading)

@@ -52,14 +52,17 @@ TEST(Steps, SpansCoverThePixelsThatAreDrawn) {
 TEST(Steps, NameWhatTheShadingInterpolates) {
     const auto mesh = shape_mesh("ngon:5");
     const Scene scene = scene_of(mesh, {{}, size});
-    const auto names = [&](Shading shading) {
+    const auto names = [&](Shading shading, Perspective perspective = Perspective::affine) {
         Settings settings;
         settings.shading = shading;
+        settings.perspective = perspective;
         return trace_polygons(scene, settings, size).at(0).names;
     };
     EXPECT_EQ(names(Shading::flat), std::vector<std::string>{});
     EXPECT_EQ(names(Shading::gouraud), (std::vector<std::string>{"I_r", "I_g", "I_b"}));
     EXPECT_EQ(names(Shading::phong), (std::vector<std::string>{"N_x", "N_y", "N_z"}));
+    EXPECT_EQ(names(Shading::gouraud, Perspective::correct),
+              (std::vector<std::string>{"I_r q", "I_g q", "I_b q"}));
 }
 
 TEST(Steps, EachNumberBelongsToAName) {

@@ -1,0 +1,30 @@
+#include <CLI/CLI.hpp>
+
+#include "apps/scanlight/commands.h"
+#include "apps/scanlight/print_data.h"
+#include "mesh/shapes.h"
+
+namespace scanlight::apps {
+
+namespace {
+
+std::string shapes_text() {
+    constexpr std::size_t name_width = 14;
+    std::string text;
+    for (const auto& shape : mesh::list_shapes()) {
+        text +=
+            shape.name + std::string(name_width - shape.name.size(), ' ') + shape.parameters + "\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+void add_shapes_command(CLI::App& program) {
+    CLI::App* command =
+        program.add_subcommand("shapes", "The built-in shapes and their parameters");
+    command->footer("Parameters follow the name: torus:48,24.\nExample:\n  scanlight shapes");
+    command->callback([] { print_data(shapes_text()); });
+}
+
+}  // namespace scanlight::apps
