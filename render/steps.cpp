@@ -68,7 +68,7 @@ std::vector<PolygonSteps> trace_polygons(const Scene& scene, const Settings& set
             return trace_with(mesh, IdTechnique(mesh, 1), frame, settings, {});
         case Shading::gouraud:
             return trace_with(mesh, GouraudTechnique(mesh, frame, settings), frame, settings,
-                              {"I_r", "I_g", "I_b"});
+                              named({"I_r", "I_g", "I_b"}, settings));
         case Shading::phong:
             return trace_with(mesh, NormalTechnique(mesh), frame, settings,
                               named({"N_x", "N_y", "N_z"}, settings));

@@ -135,9 +135,16 @@ TEST(ParseLight, TakesAColorAndAFalloffInAnyOrder) {
         EXPECT_EQ(light.color, glm::vec3(1.0f, 0.0f, 0.0f));
         EXPECT_EQ(light.falloff, shading::Falloff::inverse_square);
     }
-    EXPECT_EQ(parse_light("1,2,3,constant").falloff, shading::Falloff::constant);
-    EXPECT_EQ(parse_light("1,2,3,inverse").falloff, shading::Falloff::inverse);
-    EXPECT_EQ(parse_light("1,2,3,inverse-plus-k").falloff, shading::Falloff::inverse_plus_k);
+    EXPECT_EQ(parse_light("point:1,2,3,constant").falloff, shading::Falloff::constant);
+    EXPECT_EQ(parse_light("point:1,2,3,inverse").falloff, shading::Falloff::inverse);
+    EXPECT_EQ(parse_light("point:1,2,3,inverse-plus-k").falloff, shading::Falloff::inverse_plus_k);
+}
+
+TEST(ParseLight, RefusesAFalloffAtInfinityAndNoDirection) {
+    EXPECT_THROW(parse_light("1,2,3,inverse"), UsageError);
+    EXPECT_THROW(parse_light("world:1,2,3,inverse-square"), UsageError);
+    EXPECT_THROW(parse_light("0,0,0"), UsageError);
+    EXPECT_NO_THROW(parse_light("point:0,0,0"));
 }
 
 TEST(ParseLight, RefusesTheRest) {
