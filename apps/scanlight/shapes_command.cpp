@@ -12,8 +12,9 @@ std::string shapes_text() {
     constexpr std::size_t name_width = 14;
     std::string text;
     for (const auto& shape : mesh::list_shapes()) {
-        text +=
-            shape.name + std::string(name_width - shape.name.size(), ' ') + shape.parameters + "\n";
+        const bool has_parameters = !shape.parameters.empty();
+        const std::string gap(has_parameters ? name_width - shape.name.size() : 0, ' ');
+        text += shape.name + gap + shape.parameters + "\n";
     }
     return text;
 }
