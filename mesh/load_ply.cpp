@@ -63,9 +63,11 @@ Role role_named(const std::array<std::pair<std::string_view, Role>, size>& names
     return found == names.end() ? Role::none : found->second;
 }
 
-Role role_of(const PlyProperty& property) {
-    return property.is_list ? role_named(list_names, property.name)
-                            : role_named(scalar_names, property.name);
+/// Only faces have corners: a list of that name elsewhere means nothing.
+Role role_of(const PlyElement& element, const PlyProperty& property) {
+    if (!property.is_list) return role_named(scalar_names, property.name);
+    const Role role = role_named(list_names, property.name);
+    return role == Role::indices && element.name != "face" ? Role::none : role;
 }
 
 /// A property in a record, shorn of its name.
@@ -79,7 +81,8 @@ struct Field {
 std::vector<Field> fields_of(const PlyElement& element) {
     std::vector<Field> fields;
     for (const PlyProperty& property : element.properties) {
-        fields.push_back({role_of(property), property.type, property.is_list, property.count_type});
+        fields.push_back(
+            {role_of(element, property), property.type, property.is_list, property.count_type});
     }
     return fields;
 }

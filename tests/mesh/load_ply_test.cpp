@@ -93,6 +93,14 @@ TEST(LoadPly, UnknownElementsAndPropertiesArePassedOver) {
               (std::vector<std::string>{"file: element \"odd\" (2 records) is passed over"}));
 }
 
+TEST(LoadPly, IndicesInAVertexAreNoFacesCorners) {
+    expect_triangle(ply("element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                        "property list uchar int vertex_indices\n"
+                        "element face 1\nproperty list uchar int vertex_indices\n",
+                        "0 0 0 1 2\n1 0 0 0\n0 1 0 2 1 1\n3 0 1 2\n"),
+                    "a list of indices at each vertex");
+}
+
 TEST(LoadPly, LineEndsMayBeAnyInText) {
     const std::string text = text_ply(ply_points + ply_faces, ply_triangle);
     std::string cr = text;
