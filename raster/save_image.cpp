@@ -44,14 +44,6 @@ std::string known_endings() {
     return list;
 }
 
-bool holds_floats(ImageFormat format) {
-    return format == ImageFormat::pfm || format == ImageFormat::hdr;
-}
-
-bool holds_alpha(ImageFormat format) {
-    return format == ImageFormat::png;
-}
-
 bool has_floats(const AnyImage& image) {
     return std::holds_alternative<ImageF>(image);
 }
@@ -98,6 +90,18 @@ ImageFormat image_format(const std::string& path) {
     }
     throw ImageError(path +
                      ": unknown kind of picture; these endings are known:" + known_endings());
+}
+
+bool promises_grey(const std::string& path) {
+    return ends_in(path, ".pgm");
+}
+
+bool holds_floats(ImageFormat format) {
+    return format == ImageFormat::pfm || format == ImageFormat::hdr;
+}
+
+bool holds_alpha(ImageFormat format) {
+    return format == ImageFormat::png;
 }
 
 void save_image(const std::string& path, const AnyImage& image, ImageFormat format) {

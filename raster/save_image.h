@@ -17,6 +17,13 @@ enum class ImageFormat {
 /// standard output, takes PPM. Throws ImageError listing the endings for any other.
 ImageFormat image_format(const std::string& path);
 
+/// Whether the ending of `path` is Netpbm's for grey alone, .pgm.
+bool promises_grey(const std::string& path);
+
+/// Whether its samples are floats; all others hold whole numbers.
+bool holds_floats(ImageFormat format);
+bool holds_alpha(ImageFormat format);
+
 /// Writes a picture, whole or not at all (see save_file). Throws ImageError: it can't be written,
 /// it has no pixels, or the format holds no such samples or channels.
 void save_image(const std::string& path, const AnyImage& image, ImageFormat format);

@@ -2,10 +2,11 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "apps/scanlight/color_format.h"
 #include "apps/scanlight/commands.h"
+#include "apps/scanlight/json.h"
 #include "apps/scanlight/print_data.h"
 #include "raster/compare.h"
 #include "raster/load_image.h"
@@ -15,14 +16,17 @@ namespace scanlight::apps {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct DiffOptions {
     std::string first;
     std::string second;
     std::string output;
     bool json = false;
 };
+
+/// Samples are bytes, 16-bit words or floats, and a float holds each of them.
+Json sample_json(double sample) {
+    return json_number(static_cast<float>(sample));
+}
 
 Json json_of(const raster::Difference& d) {
     const double psnr = raster::psnr_db(d);
@@ -36,8 +40,8 @@ Json json_of(const raster::Difference& d) {
         json["worst"] = {{"x", d.worst->x},
                          {"y", d.worst->y},
                          {"channel", d.worst->channel},
-                         {"first", d.worst->first},
-                         {"second", d.worst->second}};
+                         {"first", sample_json(d.worst->first)},
+                         {"second", sample_json(d.worst->second)}};
     }
     return json;
 }
@@ -62,11 +66,11 @@ std::string lines_of(const raster::Difference& d) {
 }
 
 void diff(const DiffOptions& options) {
-    if (!options.output.empty()) raster::image_format(options.output);
+    if (!options.output.empty()) color_format(options.output);
     const raster::AnyImage first = raster::load_image(options.first);
     const raster::AnyImage second = raster::load_image(options.second);
     const raster::Difference difference = raster::compare(first, second);
-    print_data(options.json ? json_of(difference).dump(2) + "\n" : lines_of(difference),
+    print_data(options.json ? json_text(json_of(difference)) : lines_of(difference),
                options.output);
     if (!options.output.empty()) {
         raster::save_image(options.output, raster::difference_image(first, second));

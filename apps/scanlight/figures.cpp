@@ -120,12 +120,14 @@ const std::vector<Figure>& figures() {
           "cube --crease 180 --shading gouraud --illumination lambert --ambient 0 "
           "--light 1,0.2,0.3 --view 40,30 --interpolation triangulated"}},
         {"perspective",
-         "A floor with a lamp near the eye, Gouraud-shaded: even over the object, and even over "
-         "the screen as in the textbook, which stretches the near light.",
-         {"plane:2 --shading gouraud --eye 0,0.35,1.15 --target 0,-0.2,0 --fov 70 "
-          "--illumination lambert --light point:0,0.3,0.6,#888,inverse-square --perspective correct",
-          "plane:2 --shading gouraud --eye 0,0.35,1.15 --target 0,-0.2,0 --fov 70 "
-          "--illumination lambert --light point:0,0.3,0.6,#888,inverse-square --perspective affine"}},
+         "A lamp over the middle of a floor of four squares, Gouraud-shaded: even over the object, "
+         "and even over the screen as in the textbook, which draws the light towards the eye.",
+         {"plane:2 --shading gouraud --eye 0,0.3,1.05 --target 0,-0.35,0 --fov 85 "
+          "--illumination lambert --ambient 0.03 --material kd=0.9 "
+          "--light point:0,0.3,0,#555,inverse-square --wireframe=over --perspective correct",
+          "plane:2 --shading gouraud --eye 0,0.3,1.05 --target 0,-0.35,0 --fov 85 "
+          "--illumination lambert --ambient 0.03 --material kd=0.9 "
+          "--light point:0,0.3,0,#555,inverse-square --wireframe=over --perspective affine"}},
         {"concave",
          "Polygons of many corners, concave ones too, are filled as they are.",
          {"star:5 --view 0,0 --shading flat",

@@ -1,8 +1,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "apps/scanlight/commands.h"
 #include "apps/scanlight/figures.h"
@@ -19,7 +21,7 @@ namespace {
 struct GalleryOptions {
     std::string folder;
     std::string only;
-    std::string panel_size = "400x300";
+    raster::Viewport panel_size{400, 300};
 };
 
 std::string escaped(const std::string& text) {
@@ -36,16 +38,20 @@ std::string escaped(const std::string& text) {
     return result;
 }
 
-std::string figure_html(const Figure& figure) {
+std::string size_text(raster::Viewport size) {
+    return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+std::string figure_html(const Figure& figure, raster::Viewport panel_size) {
     std::string html = "<figure id=\"" + figure.name + "\">\n<img src=\"" + figure.name +
                        ".png\" alt=\"" + escaped(figure.caption) + "\">\n<figcaption>" +
                        escaped(figure.caption) + "\n<pre>";
     for (const auto& panel : figure.panels)
-        html += "scanlight render " + escaped(panel) + "\n";
+        html += "scanlight render " + escaped(panel) + " --size " + size_text(panel_size) + "\n";
     return html + "</pre></figcaption>\n</figure>\n";
 }
 
-std::string page_html() {
+std::string page_html(raster::Viewport panel_size) {
     std::string html =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width\">\n<title>Scanlight "
@@ -56,31 +62,52 @@ std::string page_html() {
         "<h1>Scanlight gallery</h1>\n"
         "<p>Each picture is drawn by the commands below it, one a panel.</p>\n";
     for (const Figure& figure : figures())
-        html += figure_html(figure);
+        html += figure_html(figure, panel_size);
     return html + "</html>\n";
 }
 
-void check_name(const std::string& name) {
-    const auto has_name = [&name](const Figure& figure) { return figure.name == name; };
-    if (name.empty() || std::ranges::any_of(figures(), has_name)) return;
+/// The figures of one name, or all. Throws UsageError for a name that none has.
+std::vector<Figure> chosen(const std::string& name) {
+    if (name.empty()) return figures();
+    const auto found = std::ranges::find(figures(), name, &Figure::name);
+    if (found != figures().end()) return {*found};
     std::string names;
     for (const Figure& figure : figures())
         names += " " + figure.name;
-    throw UsageError("no picture is named '" + name + "'; there are:" + names);
+    throw UsageError("no figure is named '" + name + "'; there are:" + names);
+}
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!error) return;
+    throw UsageError(folder.string() + ": cannot be made a folder: " + error.message());
+}
+
+std::string path_in(const std::filesystem::path& folder, const std::string& name) {
+    return (folder / name).string();
+}
+
+void save_figures(const GalleryOptions& options, const std::vector<Figure>& which) {
+    Progress progress(Progress::When::on_terminal);
+    for (const Figure& figure : which) {
+        progress.now("drawing " + figure.name);
+        raster::save_image(path_in(options.folder, figure.name + ".png"),
+                           draw_figure(figure, options.panel_size));
+    }
 }
 
 void gallery(const GalleryOptions& options) {
-    check_name(options.only);
-    const raster::Viewport size = parse_size(options.panel_size);
-    const std::filesystem::path folder(options.folder);
-    std::filesystem::create_directories(folder);
-    Progress progress(Progress::When::on_terminal);
-    for (const Figure& figure : figures()) {
-        progress.now("drawing " + figure.name);
-        if (!options.only.empty() && figure.name != options.only) continue;
-        raster::save_image((folder / (figure.name + ".png")).string(), draw_figure(figure, size));
+    const std::vector<Figure> which = chosen(options.only);
+    make_folder(options.folder);
+    save_figures(options, which);
+    std::string to_see = path_in(options.folder, which.front().name + ".png");
+    if (options.only.empty()) {
+        to_see = path_in(options.folder, "index.html");
+        raster::save_file(to_see, page_html(options.panel_size));
     }
-    if (options.only.empty()) raster::save_file((folder / "index.html").string(), page_html());
+    std::fprintf(stderr, "%s: %zu figure%s written\n", to_see.c_str(), which.size(),
+                 which.size() == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -92,10 +119,15 @@ void add_gallery_command(CLI::App& program) {
     command->add_option("folder", options->folder, "where to write them")
         ->required()
         ->type_name("DIR");
-    command->add_option("--only", options->only, "one picture by its name")->type_name("NAME");
-    command->add_option("--panel", options->panel_size, "size of each panel")
+    command->add_option("--only", options->only, "one figure by its name, without the page")
+        ->type_name("NAME");
+    command
+        ->add_option_function<std::string>(
+            "--panel",
+            [options](const std::string& text) { options->panel_size = parse_size(text); },
+            "size of each panel")
         ->type_name("WxH")
-        ->capture_default_str();
+        ->default_str(size_text(options->panel_size));
     command->footer(
         "Examples:\n  scanlight gallery pictures\n  scanlight gallery . --only shading");
     command->callback([options] { gallery(*options); });

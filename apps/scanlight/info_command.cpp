@@ -1,9 +1,10 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "apps/scanlight/commands.h"
+#include "apps/scanlight/json.h"
 #include "apps/scanlight/model.h"
 #include "apps/scanlight/print_data.h"
 #include "mesh/bounds.h"
@@ -12,15 +13,17 @@ namespace scanlight::apps {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct InfoOptions {
     std::string input;
     bool json = false;
 };
 
+/// A corner of a bounding box: floats of the file.
 Json json_of(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
+    Json list = Json::array();
+    for (int k = 0; k < 3; ++k)
+        list.push_back(json_number(static_cast<float>(v[k])));
+    return list;
 }
 
 Json materials_json(const mesh::Mesh& mesh) {
@@ -47,25 +50,30 @@ Json json_of(const Model& model) {
             {"faces", report.faces_in},
             {"drawn", report.drawn},
             {"dropped",
-             {{"zero area", report.zero_area}, {"fewer than 3 corners", report.few_corners}}},
-            {"largest polygon", largest_polygon(mesh)},
+             {{"zero_area", report.zero_area}, {"fewer_than_3_corners", report.few_corners}}},
+            {"largest_polygon", largest_polygon(mesh)},
             {"vertices", report.vertices},
-            {"drawn vertices", mesh.vertices.size()},
-            {"isolated points", report.isolated_points},
+            {"drawn_vertices", mesh.vertices.size()},
+            {"isolated_points", report.isolated_points},
             {"edges", report.edges},
-            {"boundary edges", report.boundary_edges},
+            {"boundary_edges", report.boundary_edges},
             {"components", report.components},
             {"closed", report.closed()},
             {"manifold", report.manifold()},
             {"repaired",
-             {{"faces given corners of their own", report.split_faces},
-              {"points doubled", report.split_vertices}}},
-            {"has uvs", mesh.vertices.has_uvs()},
-            {"has colours", mesh.vertices.has_colors()},
+             {{"faces_given_corners_of_their_own", report.split_faces},
+              {"points_doubled", report.split_vertices}}},
+            {"has_uvs", mesh.vertices.has_uvs()},
+            {"has_colours", mesh.vertices.has_colors()},
             {"materials", materials_json(mesh)},
             {"low", json_of(box.low)},
             {"high", json_of(box.high)},
             {"warnings", model.warnings}};
+}
+
+std::string words_of(std::string key) {
+    std::ranges::replace(key, '_', ' ');
+    return key;
 }
 
 std::string as_words(const Json& value) {
@@ -77,7 +85,7 @@ std::string as_words(const Json& value) {
         text += (text.empty()        ? ""
                  : value.is_object() ? ", "
                                      : "  ") +
-                (value.is_object() ? key + " " : std::string()) + as_words(item);
+                (value.is_object() ? words_of(key) + " " : std::string()) + as_words(item);
     }
     return text.empty() ? "none" : text;
 }
@@ -85,17 +93,15 @@ std::string as_words(const Json& value) {
 std::string lines_of(const Json& json) {
     std::string text;
     for (const auto& [key, value] : json.items()) {
-        text +=
-            key + std::string(key.size() < 17 ? 17 - key.size() : 1, ' ') + as_words(value) + "\n";
+        text += words_of(key) + std::string(key.size() < 17 ? 17 - key.size() : 1, ' ') +
+                as_words(value) + "\n";
     }
     return text;
 }
 
 void info(const InfoOptions& options) {
     const Json json = json_of(load_model(options.input, {}));
-    // The names of files and materials need not be UTF-8.
-    constexpr auto replace = Json::error_handler_t::replace;
-    print_data(options.json ? json.dump(2, ' ', false, replace) + "\n" : lines_of(json));
+    print_data(options.json ? json_text(json) : lines_of(json));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "apps/scanlight/model.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "apps/scanlight/stopwatch.h"
@@ -24,7 +25,38 @@ mesh::PolygonSoup load_soup(const std::string& input) {
     throw UsageError(input + ": no such file, nor a built-in shape: " + shape_names());
 }
 
+/// "no normals", or "no normals for 2 of 9 corners"; empty if every corner has its normal.
+std::string normals_missing(const mesh::PolygonSoup& soup) {
+    using Corner = mesh::PolygonSoup::Corner;
+    const auto total = static_cast<std::ptrdiff_t>(soup.corners.size());
+    const auto missing = std::ranges::count(soup.corners, mesh::PolygonSoup::none, &Corner::normal);
+    if (missing == 0) return "";
+    if (missing == total) return "no normals";
+    return "no normals for " + std::to_string(missing) + " of " + std::to_string(total) +
+           " corners";
+}
+
+void warn_of_normals(Model& model, const mesh::PolygonSoup& soup, const mesh::NormalRule& rule) {
+    const std::string missing = normals_missing(soup);
+    if (rule.weight != mesh::NormalWeight::file || missing.empty()) return;
+    model.warnings.push_back(model.name + ": brings " + missing +
+                             "; the mean of the faces' normals is taken instead");
+}
+
 }  // namespace
+
+std::vector<std::string> warnings_of(const Model& model) {
+    std::vector<std::string> warnings = model.warnings;
+    const auto& report = model.report;
+    const auto note = [&](std::size_t count, const std::string& why) {
+        if (count == 0) return;
+        warnings.push_back(model.name + ": " + std::to_string(count) + " of " +
+                           std::to_string(report.faces_in) + " faces are left out: " + why);
+    };
+    note(report.zero_area, "no area");
+    note(report.few_corners, "fewer than 3 different corners");
+    return warnings;
+}
 
 std::string shape_names() {
     std::string names;
@@ -44,6 +76,7 @@ Model load_model(const std::string& input, const mesh::NormalRule& normals) {
     model.mesh = std::move(mesh);
     model.report = report;
     model.warnings = soup.warnings;
+    warn_of_normals(model, soup, normals);
     return model;
 }
 

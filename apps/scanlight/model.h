@@ -12,16 +12,20 @@ struct Model {
     std::string name;  // as given
     mesh::Mesh mesh;
     mesh::BuildReport report;
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings;  // the reader's, and of normals that are missing
     double load_seconds = 0.0;
     double build_seconds = 0.0;
 };
+
+/// For a person: the reader's warnings, and how many faces were left out.
+std::vector<std::string> warnings_of(const Model& model);
 
 /// "cube, tetrahedron, …"
 std::string shape_names();
 
 /// `input` is a file, "-" for standard input, or a built-in shape: "teapot", "torus:48,24". A file
 /// of that name comes first; "shape:teapot" is always the shape.
+/// Where the file's own normals are asked for and missing, a warning says what stands in for them.
 Model load_model(const std::string& input, const mesh::NormalRule& normals);
 
 }  // namespace scanlight::apps

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/scanlight/color_format.h"
 #include "apps/scanlight/commands.h"
 #include "apps/scanlight/picture.h"
 #include "apps/scanlight/print_data.h"
@@ -88,19 +89,26 @@ std::string default_output(const std::string& input) {
     return (stem.empty() ? "scanlight" : stem) + ".png";
 }
 
-raster::ImageFormat format_of(const std::string& path, const std::string& format) {
-    return format.empty() ? raster::image_format(path) : raster::image_format("." + format);
+raster::ImageFormat format_of(const RenderOptions& options) {
+    return options.format.empty() ? color_format(options.output)
+                                  : raster::image_format("." + options.format);
 }
 
-bool holds_floats(raster::ImageFormat format) {
-    return format == raster::ImageFormat::pfm || format == raster::ImageFormat::hdr;
+raster::ImageFormat format_of(const AovOption& aov) {
+    if (aov.kind == Aov::depth) return raster::image_format(aov.path);
+    const auto format = color_format(aov.path);
+    if (format == raster::ImageFormat::hdr) {
+        throw UsageError(aov.path +
+                         ": HDR keeps 8 bits of a number and none below zero, too "
+                         "little for normals and ids; PFM keeps all");
+    }
+    return format;
 }
 
 void save_color(const raster::Framebuffer& framebuffer, const RenderOptions& options) {
-    const auto format = format_of(options.output, options.format);
-    const bool transparent = !options.scene.background && format == raster::ImageFormat::png;
-    const auto alpha = transparent ? raster::Alpha::kept : raster::Alpha::dropped;
-    if (holds_floats(format)) {
+    const auto format = format_of(options);
+    const auto alpha = options.scene.background ? raster::Alpha::dropped : raster::Alpha::kept;
+    if (raster::holds_floats(format)) {
         raster::save_image(options.output, raster::linear_image(framebuffer.color, alpha), format);
     } else {
         raster::save_image(options.output, raster::srgb_image(framebuffer.color, alpha), format);
@@ -129,19 +137,28 @@ raster::AnyImage aov_image(Aov kind, bool floats, const render::Scene& scene,
 
 void save_aov(const AovOption& aov, const render::Scene& scene, const SceneOptions& options,
               const raster::Framebuffer& framebuffer) {
-    const auto format = raster::image_format(aov.path);
+    const auto format = format_of(aov);
     raster::save_image(
-        aov.path, aov_image(aov.kind, holds_floats(format), scene, options, framebuffer), format);
+        aov.path, aov_image(aov.kind, raster::holds_floats(format), scene, options, framebuffer),
+        format);
+}
+
+void check_format(const RenderOptions& options) {
+    const auto format = format_of(options);
+    if (options.scene.background || raster::holds_alpha(format)) return;
+    throw UsageError(options.output +
+                     ": this format holds no alpha channel for --background none; PNG does, as "
+                     "with --format png");
 }
 
 /// What is wrong with an output's name is said before the work, not after.
 void check_outputs(RenderOptions& options) {
     if (options.output.empty()) options.output = default_output(options.scene.input);
-    format_of(options.output, options.format);
+    check_format(options);
     wireframe_of(options.scene);
     std::set<std::string> paths{options.output};
     for (const auto& aov : options.aovs) {
-        raster::image_format(aov.path);
+        format_of(aov);
         if (!paths.insert(aov.path).second)
             throw UsageError(aov.path + ": two pictures of one name");
     }
@@ -154,20 +171,6 @@ bool uses_standard_output(const RenderOptions& options) {
 
 void say(const RenderOptions& options, const std::string& message) {
     if (!options.quiet) std::fprintf(stderr, "%s\n", message.c_str());
-}
-
-/// The reader's, and what the builder left out.
-std::vector<std::string> warnings_of(const Model& model) {
-    std::vector<std::string> warnings = model.warnings;
-    const auto& report = model.report;
-    const auto note = [&](std::size_t count, const std::string& why) {
-        if (count == 0) return;
-        warnings.push_back(model.name + ": " + std::to_string(count) + " of " +
-                           std::to_string(report.faces_in) + " faces are left out: " + why);
-    };
-    note(report.zero_area, "no area");
-    note(report.few_corners, "fewer than 3 different corners");
-    return warnings;
 }
 
 void render(RenderOptions& options) {
@@ -204,6 +207,7 @@ void add_render_command(CLI::App& program) {
     auto options = std::make_shared<RenderOptions>();
     CLI::App* command = program.add_subcommand("render", "A mesh file into a shaded picture");
     add_scene_options(*command, options->scene);
+    add_canvas_options(*command, options->scene);
     add_output_options(*command, *options);
     command->footer(
         "Built-in shapes: " + shape_names() +

@@ -2,26 +2,23 @@
 
 #include <CLI/CLI.hpp>
 #include <sstream>
-#include <utility>
 #include <vector>
 
 #include "apps/scanlight/usage_error.h"
+#include "apps/scanlight/words.h"
 
 namespace scanlight::apps {
 
 namespace {
 
 /// An option with a fixed set of words.
-template <class Enum>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, Enum& value,
-                        const std::vector<std::pair<std::string, Enum>>& words,
+template <class Choice>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& value,
                         const std::string& help) {
+    const Words<Choice> words = words_beside(value);
     std::string list;
-    std::string preset;
-    for (const auto& [word, meaning] : words) {
+    for (const auto& [word, meaning] : words)
         list += (list.empty() ? "" : "|") + word;
-        if (meaning == value) preset = word;
-    }
     const auto choose = [&value, words, name, list](const std::string& text) {
         for (const auto& [word, meaning] : words) {
             if (text != word) continue;
@@ -32,7 +29,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Enum& value,
     };
     return app.add_option_function<std::string>(name, choose, help)
         ->type_name(list)
-        ->default_str(preset);
+        ->default_str(word_of(value));
 }
 
 /// A number from `low` to `high`. CLI::Range would let NaN pass.
@@ -57,51 +54,23 @@ void add_picture_options(CLI::App& app, SceneOptions& o) {
     add_text(app, "-s,--size", "WxH", "picture size in pixels", [&o](const std::string& text) {
         o.size = parse_size(text);
     })->default_str(std::to_string(o.size.width) + "x" + std::to_string(o.size.height));
-    add_choice<render::Shading>(app, "--shading", o.settings.shading,
-                                {{"flat", render::Shading::flat},
-                                 {"gouraud", render::Shading::gouraud},
-                                 {"phong", render::Shading::phong}},
-                                "one intensity a polygon, intensities interpolated, or normals");
-    add_choice<shading::Illumination>(
-        app, "--illumination", o.settings.illumination,
-        {{"lambert", shading::Illumination::lambert},
-         {"gouraud71", shading::Illumination::gouraud71},
-         {"phong", shading::Illumination::phong},
-         {"blinn", shading::Illumination::blinn}},
-        "the illumination model: (R.V)^n for phong, (N.H)^n for blinn");
-    add_choice<Polygons>(
-        app, "--interpolation", o.polygons,
-        {{"bilinear", Polygons::bilinear}, {"triangulated", Polygons::triangulated}},
-        "n-gons by the textbook's bilinear rule, or cut into triangles first");
-    add_choice<render::Perspective>(
-        app, "--perspective", o.settings.perspective,
-        {{"correct", render::Perspective::correct}, {"affine", render::Perspective::affine}},
-        "attributes even over the object, or (affine) over the screen as in the textbook");
-    add_choice<render::Cull>(app, "--cull", o.settings.cull,
-                             {{"none", render::Cull::none},
-                              {"back", render::Cull::back},
-                              {"front", render::Cull::front}},
-                             "polygons to leave out");
-    add_choice<render::Sides>(app, "--sides", o.settings.sides,
-                              {{"one", render::Sides::one}, {"two", render::Sides::two}},
-                              "light the front only, or the side that is seen");
-    add_choice<render::Distances>(
-        app, "--distances", o.settings.distances,
-        {{"finite", render::Distances::finite}, {"infinite", render::Distances::infinite}},
-        "eye and lights at their places, or at infinity as in the textbook");
-    app.add_flag(
-        "--wireframe{all}", o.wireframe_word,
-        "draw edges: =all (or no word), =hidden (without the hidden ones), =over (over the\n"
-        "shading)");
+    add_choice(app, "--shading", o.settings.shading,
+               "one intensity a polygon, intensities interpolated, or normals");
+    add_choice(app, "--illumination", o.settings.illumination,
+               "the illumination model: (R.V)^n for phong, (N.H)^n for blinn");
+    add_choice(app, "--interpolation", o.polygons,
+               "n-gons by the textbook's bilinear rule, or cut into triangles first");
+    add_choice(app, "--perspective", o.settings.perspective,
+               "attributes even over the object, or (affine) over the screen as in the textbook");
+    add_choice(app, "--cull", o.settings.cull, "polygons to leave out");
+    add_choice(app, "--sides", o.settings.sides, "light the front only, or the side that is seen");
+    add_choice(app, "--distances", o.settings.distances,
+               "eye and lights at their places, or at infinity as in the textbook");
 }
 
 void add_mesh_options(CLI::App& app, SceneOptions& o) {
-    add_choice<mesh::NormalWeight>(app, "--normals", o.normals.weight,
-                                   {{"mean", mesh::NormalWeight::mean},
-                                    {"area", mesh::NormalWeight::area},
-                                    {"angle", mesh::NormalWeight::angle},
-                                    {"file", mesh::NormalWeight::file}},
-                                   "vertex normals: the faces' mean, weighted, or the file's");
+    add_choice(app, "--normals", o.normals.weight,
+               "vertex normals: the faces' mean, weighted, or the file's");
     app.add_option("--crease", o.normals.crease_deg,
                    "faces at a larger angle than this share no normal; 180 smooths all")
         ->type_name("DEG")
@@ -128,10 +97,7 @@ void add_camera_options(CLI::App& app, SceneOptions& o) {
         ->type_name("MM")
         ->check(within(1.0, 5000.0))
         ->excludes(fov);
-    add_choice<render::Projection>(app, "--projection", o.projection,
-                                   {{"perspective", render::Projection::perspective},
-                                    {"orthographic", render::Projection::orthographic}},
-                                   "the camera's");
+    add_choice(app, "--projection", o.projection, "the camera's");
     app.add_option("--zoom", o.zoom, "enlarge the picture about its centre")
         ->check(within(0.001, 1000.0))
         ->capture_default_str();
@@ -166,14 +132,6 @@ void add_light_options(CLI::App& app, SceneOptions& o) {
     add_text(app, "--ambient", "COLOUR", "the ambient light I_a: #rrggbb, or linear grey or r,g,b",
              [&o](const std::string& text) { o.ambient = parse_color(text); })
         ->default_str("0.15");
-    add_text(app, "--background", "COLOUR|none", "none is transparent",
-             [&o](const std::string& text) {
-                 if (text == "none") {
-                     o.background.reset();
-                 } else {
-                     o.background = parse_color(text);
-                 }
-             });
 }
 
 }  // namespace
@@ -191,6 +149,7 @@ SceneOptions parse_scene(const std::string& command_line) {
     SceneOptions options;
     CLI::App app;
     add_scene_options(app, options);
+    add_canvas_options(app, options);
     app.parse(command_line);
     return options;
 }
@@ -203,6 +162,21 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
     add_mesh_options(app, options);
     add_camera_options(app, options);
     add_light_options(app, options);
+}
+
+void add_canvas_options(CLI::App& app, SceneOptions& o) {
+    add_text(app, "--background", "COLOUR|none", "none is transparent, in a PNG",
+             [&o](const std::string& text) {
+                 if (text == "none") {
+                     o.background.reset();
+                 } else {
+                     o.background = parse_color(text);
+                 }
+             });
+    app.add_flag(
+        "--wireframe{all}", o.wireframe_word,
+        "draw edges: =all (or no word), =hidden (without the hidden ones), =over (over the\n"
+        "shading)");
 }
 
 }  // namespace scanlight::apps

@@ -1,16 +1,19 @@
 #include "apps/scanlight/statistics.h"
 
-#include <cstdio>
-#include <nlohmann/json.hpp>
+#include "apps/scanlight/json.h"
+#include "apps/scanlight/text_table.h"
 
 namespace scanlight::apps {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 double milliseconds(double seconds) {
     return seconds * 1e3;
+}
+
+/// Seven digits are more than a clock is worth.
+Json time_json(double seconds) {
+    return json_number(static_cast<float>(milliseconds(seconds)));
 }
 
 Json json_of(const Statistics& s) {
@@ -32,15 +35,10 @@ Json json_of(const Statistics& s) {
             {"spans", counts.spans},
             {"pixels", {{"tested", counts.pixels_tested}, {"passed", counts.pixels_passed}}},
             {"milliseconds",
-             {{"load", milliseconds(s.model.load_seconds)},
-              {"build", milliseconds(s.model.build_seconds)},
-              {"draw", milliseconds(s.draw_seconds)},
-              {"save", milliseconds(s.save_seconds)}}}};
-}
-
-/// A file's name need not be UTF-8.
-std::string dumped(const Json& json, int indent) {
-    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+             {{"load", time_json(s.model.load_seconds)},
+              {"build", time_json(s.model.build_seconds)},
+              {"draw", time_json(s.draw_seconds)},
+              {"save", time_json(s.save_seconds)}}}};
 }
 
 /// Nested names joined by dots, one line a number.
@@ -48,15 +46,30 @@ std::string lines_of(const Json& json, const std::string& prefix) {
     std::string text;
     for (const auto& [key, value] : json.items()) {
         const std::string name = prefix.empty() ? key : prefix + "." + key;
-        text += value.is_object() ? lines_of(value, name) : name + " " + dumped(value, -1) + "\n";
+        text += value.is_object() ? lines_of(value, name) : name + " " + json_text(value);
     }
     return text;
+}
+
+std::string drawn_text(const Statistics& s) {
+    if (s.counts.polygons == 0) return "no polygon to draw";
+    return std::to_string(s.counts.drawn) + " of " + std::to_string(s.counts.polygons) +
+           " polygons drawn in " + fixed(milliseconds(s.draw_seconds), 1) + " ms";
+}
+
+std::string left_out_text(const Statistics& s) {
+    const auto& report = s.model.report;
+    if (report.faces_in == 0) return ", as the file has no faces";
+    const std::size_t left_out = report.faces_in - report.drawn;
+    if (left_out == 0) return "";
+    return ", " + std::to_string(left_out) + " of the file's " + std::to_string(report.faces_in) +
+           " faces left out";
 }
 
 }  // namespace
 
 std::string as_json(const Statistics& statistics) {
-    return dumped(json_of(statistics), 2) + "\n";
+    return json_text(json_of(statistics));
 }
 
 std::string as_text(const Statistics& statistics) {
@@ -64,11 +77,8 @@ std::string as_text(const Statistics& statistics) {
 }
 
 std::string summary(const std::string& output, const Statistics& s) {
-    char text[200];
-    std::snprintf(text, sizeof text, ": %dx%d, %zu of %zu polygons drawn in %.1f ms",
-                  s.options.size.width, s.options.size.height, s.counts.drawn, s.counts.polygons,
-                  milliseconds(s.draw_seconds));
-    return output + text;
+    return output + ": " + std::to_string(s.options.size.width) + "x" +
+           std::to_string(s.options.size.height) + ", " + drawn_text(s) + left_out_text(s);
 }
 
 }  // namespace scanlight::apps

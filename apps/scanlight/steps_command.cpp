@@ -57,8 +57,7 @@ std::string title_of(const PolygonSteps& steps, const StepsOptions& options) {
            std::to_string(options.scene.size.height) + " pixels";
 }
 
-std::string report(const std::vector<PolygonSteps>& polygons, const StepsOptions& options) {
-    if (options.json) return steps_json(polygons);
+std::string texts_of(const std::vector<PolygonSteps>& polygons, const StepsOptions& options) {
     std::string text;
     for (const auto& steps : polygons) {
         text += (text.empty() ? "" : "\n\n") + steps_text(steps, title_of(steps, options));
@@ -67,15 +66,18 @@ std::string report(const std::vector<PolygonSteps>& polygons, const StepsOptions
 }
 
 void steps(const StepsOptions& options) {
-    wireframe_of(options.scene);  // nothing to draw here, but a wrong word is said
     const Model model = load_model(options.scene);
+    for (const auto& warning : warnings_of(model))
+        std::fprintf(stderr, "scanlight: %s\n", warning.c_str());
     const render::Scene scene = scene_of(model, options.scene);
-    auto polygons = chosen(
-        render::trace_polygons(scene, options.scene.settings, options.scene.size), options.polygon);
+    auto seen = render::trace_polygons(scene, options.scene.settings, options.scene.size);
+    const StepsSource source{options.scene, scene.camera, seen.size()};
+    auto polygons = chosen(std::move(seen), options.polygon);
     for (auto& polygon : polygons)
         polygon = with_grey_as_one(std::move(polygon));
     if (polygons.empty()) std::fprintf(stderr, "scanlight: no polygon is seen\n");
-    raster::save_file(options.output, report(polygons, options));
+    raster::save_file(options.output,
+                      options.json ? steps_json(source, polygons) : texts_of(polygons, options));
 }
 
 /// What suits a page: few pixels, one intensity that varies, the textbook's even interpolation.
@@ -98,7 +100,7 @@ void add_steps_command(CLI::App& program) {
         ->add_option("--polygon", options->polygon,
                      "a polygon by its number in the file, or all; the tallest if not given")
         ->type_name("N|all");
-    command->add_flag("--json", options->json, "as JSON");
+    command->add_flag("--json", options->json, "as JSON, with a header that says what is shown");
     command->add_option("-o,--output", options->output, "file instead of standard output")
         ->type_name("OUT");
     command->footer(

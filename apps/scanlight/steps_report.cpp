@@ -1,8 +1,10 @@
 #include "apps/scanlight/steps_report.h"
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
 
+#include "apps/scanlight/json.h"
 #include "apps/scanlight/text_table.h"
+#include "apps/scanlight/words.h"
 
 namespace scanlight::apps {
 
@@ -10,7 +12,6 @@ namespace {
 
 using raster::Trace;
 using render::PolygonSteps;
-using Json = nlohmann::ordered_json;
 using Row = std::vector<std::string>;
 
 // ---- text
@@ -111,10 +112,17 @@ std::string spans_text(const PolygonSteps& steps, const Trace::Scanline& line) {
 
 // ---- JSON
 
+/// "I_r q" is the key I_r_q.
+std::string key_of(std::string name) {
+    std::ranges::replace(name, ' ', '_');
+    return name;
+}
+
+/// What is stepped is exact: in full, so that a value and its increments add up.
 Json values_json(const std::vector<std::string>& names, const std::vector<double>& values) {
     Json json = Json::object();
     for (std::size_t k = 0; k < names.size(); ++k)
-        json[names[k]] = values[k];
+        json[key_of(names[k])] = values[k];
     return json;
 }
 
@@ -152,14 +160,19 @@ Json scanline_json(const PolygonSteps& steps, const Trace::Scanline& line) {
     return {{"y", line.y}, {"active", active}, {"spans", spans}};
 }
 
+/// What a corner carries are floats; its place is exact, in 1/256 pixel.
+Json corner_json(const PolygonSteps& steps, const PolygonSteps::Corner& corner) {
+    const auto number = [](double value) { return json_number(static_cast<float>(value)); };
+    Json values = Json::object();
+    for (std::size_t k = 0; k < steps.names.size(); ++k)
+        values[key_of(steps.names[k])] = number(corner.values[k]);
+    return {{"x", corner.x}, {"y", corner.y}, {"z", number(corner.z)}, {"values", values}};
+}
+
 Json polygon_json(const PolygonSteps& steps) {
     Json corners = Json::array();
-    for (const auto& corner : steps.corners) {
-        corners.push_back({{"x", corner.x},
-                           {"y", corner.y},
-                           {"z", corner.z},
-                           {"values", values_json(steps.names, corner.values)}});
-    }
+    for (const auto& corner : steps.corners)
+        corners.push_back(corner_json(steps, corner));
     Json edges = Json::array();
     for (const auto& edge : steps.trace.edge_table)
         edges.push_back(edge_json(steps, edge));
@@ -170,6 +183,40 @@ Json polygon_json(const PolygonSteps& steps) {
             {"corners", corners},
             {"edge_table", edges},
             {"scanlines", scanlines}};
+}
+
+Json point_json(const glm::dvec3& p) {
+    return {p.x, p.y, p.z};
+}
+
+Json view_json(const StepsSource& source) {
+    const SceneOptions& options = source.options;
+    const std::string projection = word_of(options.projection);
+    if (!options.eye) {
+        return {{"projection", projection},
+                {"azimuth_deg", options.view.azimuth_deg},
+                {"elevation_deg", options.view.elevation_deg}};
+    }
+    return {{"projection", projection},
+            {"eye", point_json(source.camera.eye)},
+            {"target", point_json(source.camera.target)}};
+}
+
+Json header_json(const StepsSource& source, const std::vector<PolygonSteps>& polygons) {
+    const SceneOptions& options = source.options;
+    Json numbers = Json::array();
+    for (const auto& steps : polygons)
+        numbers.push_back(steps.id);
+    return {{"scanlight", SCANLIGHT_VERSION},
+            {"input", options.input},
+            {"size", {{"width", options.size.width}, {"height", options.size.height}}},
+            {"view", view_json(source)},
+            {"polygons_seen", source.polygons_seen},
+            {"polygon_numbers", numbers},
+            {"shading", word_of(options.settings.shading)},
+            {"illumination", word_of(options.settings.illumination)},
+            {"interpolation", word_of(options.polygons)},
+            {"perspective", word_of(options.settings.perspective)}};
 }
 
 // ---- grey
@@ -217,11 +264,11 @@ std::string steps_text(const PolygonSteps& steps, const std::string& title) {
     return text;
 }
 
-std::string steps_json(const std::vector<PolygonSteps>& polygons) {
-    Json json = Json::array();
+std::string steps_json(const StepsSource& source, const std::vector<PolygonSteps>& polygons) {
+    Json list = Json::array();
     for (const auto& steps : polygons)
-        json.push_back(polygon_json(steps));
-    return json.dump(2) + "\n";
+        list.push_back(polygon_json(steps));
+    return json_text({{"header", header_json(source, polygons)}, {"polygons", list}});
 }
 
 PolygonSteps with_grey_as_one(PolygonSteps steps) {

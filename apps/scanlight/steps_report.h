@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "apps/scanlight/scene_options.h"
+#include "render/camera.h"
 #include "render/steps.h"
 
 namespace scanlight::apps {
@@ -11,8 +14,16 @@ namespace scanlight::apps {
 /// active edge table and the spans, with every increment.
 std::string steps_text(const render::PolygonSteps& steps, const std::string& title);
 
-/// The same numbers for programs; an array of polygons.
-std::string steps_json(const std::vector<render::PolygonSteps>& polygons);
+/// What the steps were traced from.
+struct StepsSource {
+    const SceneOptions& options;
+    const render::Camera& camera;
+    std::size_t polygons_seen;  // of which some are shown
+};
+
+/// The same numbers for programs: a header that says what is shown, and an array of polygons.
+std::string steps_json(const StepsSource& source,
+                       const std::vector<render::PolygonSteps>& polygons);
 
 /// A colour whose channels never differ is one intensity: I for I_r, I_g, I_b.
 render::PolygonSteps with_grey_as_one(render::PolygonSteps steps);

@@ -124,7 +124,8 @@ TEST(Mistakes, InAnOptionOfStepsLeaveNoOutput) {
     const Shell shell;
     for (const auto* option :
          {"--size=0x0", "--fov=nan", "--polygon=0", "--polygon=7", "--polygon=-1", "--polygon=1.5",
-          "--polygon=x", "--polygon=nan", "--polygon=99999999999", "--wireframe=some"}) {
+          "--polygon=x", "--polygon=nan", "--polygon=99999999999", "--wireframe=hidden",
+          "--wireframe", "--background=none", "--background=#fff"}) {
         expect_refused(shell, std::string("scanlight steps cube -o out.txt ") + option);
     }
     EXPECT_EQ(shell.file_count(), 0u);
@@ -135,13 +136,40 @@ TEST(Mistakes, InTheOutputsAreSaidBeforeTheWork) {
     for (const auto* options :
          {"-o out.gif", "-o out", "-o png", "-o nosuchfolder/out.png", "--format gif -o out.png",
           "-o out.png --aov depth", "-o out.png --aov depth:", "-o out.png --aov alpha:a.png",
-          "-o out.png --aov depth:z.gif", "-o out.png --stats xml",
-          "-o out.png --wireframe=some"}) {
+          "-o out.png --aov depth:z.gif", "-o out.png --stats xml", "-o out.png --wireframe=some",
+          "-o out.pgm", "-o out.PGM", "-o out.png --aov normal:n.pgm", "-o out.png --aov id:i.pgm",
+          "-o out.png --aov normal:n.hdr", "-o out.png --aov id:i.hdr"}) {
         expect_refused(shell, std::string("scanlight render cube -s 8x8 ") + options);
     }
     expect_refused(shell, "scanlight gallery pictures --panel 0x0");
     expect_refused(shell, "scanlight gallery pictures --only nosuchpicture");
     EXPECT_EQ(shell.file_count(), 0u);
+}
+
+TEST(Mistakes, InTheOutputAreSaidBeforeTheInputIsRead) {
+    const Shell shell;
+    const Outcome outcome = shell.run("scanlight render nosuchfile.obj -o out.gif");
+    EXPECT_NE(outcome.err.find("out.gif"), std::string::npos) << outcome.err;
+}
+
+TEST(Mistakes, OfGreyForColoursNameWhatHoldsColours) {
+    const Shell shell;
+    for (const auto* line : {"scanlight render cube -o out.pgm", "scanlight cube out.pgm"}) {
+        const std::string err = shell.run(line).err;
+        for (const auto* ending : {".png", ".ppm", ".pfm", ".hdr"})
+            EXPECT_NE(err.find(ending), std::string::npos) << err;
+    }
+}
+
+TEST(Mistakes, OfABackgroundThatTheFormatCannotHoldAreSaid) {
+    const Shell shell;
+    for (const auto* output : {"-o out.ppm", "-o out.pfm", "-o out.hdr", "-o -",
+                               "-o out.png --format ppm", "-o out --format pfm"}) {
+        const std::string line =
+            std::string("scanlight render cube -s 8x8 --background none ") + output;
+        expect_refused(shell, line);
+        EXPECT_NE(shell.run(line).err.find("--format png"), std::string::npos) << line;
+    }
 }
 
 TEST(Mistakes, KeepAnOldFileAsItWas) {

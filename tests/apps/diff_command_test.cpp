@@ -69,6 +69,15 @@ TEST_F(Diff, AsJsonHasTheNumbers) {
     EXPECT_EQ(same["worst"], nullptr);
 }
 
+TEST_F(Diff, AsJsonHasTheShortestNumbersOfItsFloats) {
+    raster::ImageF floats(1, 1, 1);
+    raster::save_image(shell / "a.pfm", floats);
+    floats.pixel(0, 0)[0] = 0.7875f;
+    raster::save_image(shell / "b.pfm", floats);
+    const Outcome outcome = shell.run("scanlight diff a.pfm b.pfm --json");
+    EXPECT_NE(outcome.out.find("\"second\": 0.7875\n"), std::string::npos) << outcome.out;
+}
+
 TEST_F(Diff, WritesAPictureOfTheDifference) {
     EXPECT_EQ(shell.run("scanlight diff a.png b.png -o d.png").status, 1);
     const auto image = std::get<raster::Image8>(raster::load_image(shell / "d.png"));
@@ -91,10 +100,12 @@ TEST_F(Diff, ReadsStandardInput) {
 }
 
 TEST_F(Diff, OfAnUnknownKindIsRefusedBeforeTheWork) {
-    const Outcome outcome = shell.run("scanlight diff a.png b.png -o d.gif");
-    EXPECT_EQ(outcome.status, 2);
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_TRUE(is_one_complaint(outcome.err)) << outcome.err;
+    for (const auto* name : {"d.gif", "d.pgm"}) {  // differences are shown in red
+        const Outcome outcome = shell.run(std::string("scanlight diff a.png b.png -o ") + name);
+        EXPECT_EQ(outcome.status, 2) << name;
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_TRUE(is_one_complaint(outcome.err)) << outcome.err;
+    }
 }
 
 }  // namespace

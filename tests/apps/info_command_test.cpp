@@ -22,8 +22,8 @@ TEST(Info, OfAClosedBody) {
     EXPECT_EQ(cube["faces"], 6);
     EXPECT_EQ(cube["drawn"], 6);
     EXPECT_EQ(cube["edges"], 12);
-    EXPECT_EQ(cube["largest polygon"], 4);
-    EXPECT_EQ(cube["boundary edges"], 0);
+    EXPECT_EQ(cube["largest_polygon"], 4);
+    EXPECT_EQ(cube["boundary_edges"], 0);
     EXPECT_EQ(cube["components"], 1);
     EXPECT_EQ(cube["closed"], true);
     EXPECT_EQ(cube["manifold"], true);
@@ -36,10 +36,10 @@ TEST(Info, OfAnOpenSheet) {
     const Json plane = info(Shell(), "plane:3");
     EXPECT_EQ(plane["faces"], 9);
     EXPECT_EQ(plane["edges"], 24);
-    EXPECT_EQ(plane["boundary edges"], 12);
+    EXPECT_EQ(plane["boundary_edges"], 12);
     EXPECT_EQ(plane["closed"], false);
     EXPECT_EQ(plane["manifold"], true);
-    EXPECT_EQ(plane["has uvs"], true);
+    EXPECT_EQ(plane["has_uvs"], true);
 }
 
 TEST(Info, CountsWhatWasDropped) {
@@ -50,10 +50,10 @@ TEST(Info, CountsWhatWasDropped) {
     const Json mesh = info(shell, "m.obj");
     EXPECT_EQ(mesh["faces"], 3);
     EXPECT_EQ(mesh["drawn"], 1);
-    EXPECT_EQ(mesh["dropped"]["zero area"], 1);
-    EXPECT_EQ(mesh["dropped"]["fewer than 3 corners"], 1);
+    EXPECT_EQ(mesh["dropped"]["zero_area"], 1);
+    EXPECT_EQ(mesh["dropped"]["fewer_than_3_corners"], 1);
     EXPECT_EQ(mesh["vertices"], 3);
-    EXPECT_EQ(mesh["isolated points"], 2);
+    EXPECT_EQ(mesh["isolated_points"], 2);
 }
 
 TEST(Info, CountsWhatWasRepaired) {
@@ -65,13 +65,13 @@ TEST(Info, CountsWhatWasRepaired) {
     EXPECT_EQ(book["drawn"], 3);
     EXPECT_EQ(book["manifold"], false);
     EXPECT_EQ(book["closed"], false);
-    EXPECT_GE(book["repaired"]["faces given corners of their own"], 1);
+    EXPECT_GE(book["repaired"]["faces_given_corners_of_their_own"], 1);
     // Two triangles that touch in a point.
     shell.write("bow.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n-1 0 0\n-1 -1 0\n3 0 1 2\n3 0 3 4\n");
     const Json bow = info(shell, "bow.off");
     EXPECT_EQ(bow["components"], 2);
     EXPECT_EQ(bow["manifold"], false);
-    EXPECT_EQ(bow["repaired"]["points doubled"], 1);
+    EXPECT_EQ(bow["repaired"]["points_doubled"], 1);
 }
 
 TEST(Info, NamesTheMaterials) {
@@ -88,11 +88,39 @@ TEST(Info, TakesNamesInAnyEncoding) {
     EXPECT_EQ(info(shell, "m.obj")["faces"], 1);
 }
 
+void expect_plain_keys(const Json& json) {
+    for (const auto& [key, value] : json.items()) {
+        EXPECT_EQ(key.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789"), std::string::npos)
+            << key;
+        if (value.is_object()) expect_plain_keys(value);
+    }
+}
+
+TEST(Info, AsJsonHasKeysThatProgramsLike) {
+    expect_plain_keys(info(Shell(), "cube"));
+}
+
+TEST(Info, AsJsonHasTheShortestNumbersOfItsFloats) {
+    const Shell shell;
+    // 0.1, 0.7875 and 16777217 are no floats.
+    shell.write("t.obj", "v 0.1 0 0\nv 0.7875 0 1e-9\nv 0.2 -3.4e38 16777217\nf 1 2 3\n");
+    const std::string text = shell.run("scanlight info --json t.obj").out;
+    const Json json = Json::parse(text);
+    EXPECT_EQ(json["low"].dump(), "[0.1,-3.4e+38,0.0]") << text;
+    EXPECT_EQ(json["high"].dump(), "[0.7875,0.0,16777216.0]") << text;
+    EXPECT_NE(text.find(" 0.7875"), std::string::npos) << text;
+    EXPECT_EQ(text.find("0.78750"), std::string::npos) << text;
+}
+
 TEST(Info, AsTextSaysTheSame) {
     const Shell shell;
     const Outcome outcome = shell.run("scanlight info cube");
     EXPECT_EQ(outcome.status, 0);
     EXPECT_NE(outcome.out.find("\nedges            12\n"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("\nboundary edges   0\n"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("\ndropped          zero area 0, fewer than 3 corners 0\n"),
+              std::string::npos)
+        << outcome.out;
     EXPECT_NE(outcome.out.find("\nclosed           yes\n"), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("\nwarnings         none\n"), std::string::npos) << outcome.out;
 }

@@ -92,6 +92,40 @@ TEST(Render, SaysOneLineUnlessQuiet) {
     EXPECT_EQ(quiet.out + quiet.err, "");
 }
 
+TEST(Render, SaysHowManyFacesAreLeftOut) {
+    const Shell shell;
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    const auto last_line = [&](const std::string& faces) {
+        shell.write("t.obj", points + faces);
+        const std::string err = run(shell, "scanlight render t.obj -o a.png -s 8x8").err;
+        return err.substr(err.rfind("a.png"));
+    };
+    EXPECT_TRUE(last_line("f 1 2 3\n").ends_with(" ms\n"));
+    const std::string some = last_line("f 1 2 3\nf 1 1 2\n");
+    EXPECT_TRUE(some.starts_with("a.png: 8x8, 1 of 1 polygons drawn in ")) << some;
+    EXPECT_TRUE(some.ends_with(", 1 of the file's 2 faces left out\n")) << some;
+    EXPECT_EQ(last_line("f 1 1 2\nf 1 2 2\n"),
+              "a.png: 8x8, no polygon to draw, 2 of the file's 2 faces left out\n");
+    EXPECT_EQ(last_line(""), "a.png: 8x8, no polygon to draw, as the file has no faces\n");
+}
+
+TEST(Render, SaysWhatStandsInForNormalsThatAreMissing) {
+    const Shell shell;
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n";
+    const auto said = [&](const std::string& face, const std::string& options) {
+        shell.write("t.obj", points + face);
+        const Outcome outcome = run(shell, "scanlight render t.obj -o a.png -s 8x8 " + options);
+        return outcome.err.substr(0, outcome.err.rfind("a.png"));
+    };
+    const std::string instead = "; the mean of the faces' normals is taken instead\n";
+    EXPECT_EQ(said("f 1 2 3\n", "--normals file"), "scanlight: t.obj: brings no normals" + instead);
+    EXPECT_EQ(said("f 1//1 2 3//1\n", "--normals file"),
+              "scanlight: t.obj: brings no normals for 1 of 3 corners" + instead);
+    EXPECT_EQ(said("f 1//1 2//1 3//1\n", "--normals file"), "");
+    EXPECT_EQ(said("f 1 2 3\n", "--normals area"), "");
+    EXPECT_EQ(run(shell, "scanlight render t.obj -o a.png -s 8x8 --normals file -q").err, "");
+}
+
 TEST(Render, DashWritesAPpmToStandardOutputAndNothingElse) {
     const Shell shell;
     const Outcome outcome = run(shell, "scanlight render cube -s 20x10 -o -");
@@ -153,8 +187,8 @@ TEST(Render, WithoutBackgroundThereIsAlpha) {
     expect_shape(image, 32, 32, 4);
     EXPECT_EQ(image.pixel(0, 0)[3], 0);
     EXPECT_EQ(image.pixel(16, 16)[3], 255);
-    run(shell, "scanlight render ngon:64 -o b.ppm -s 32x32 --background none");
-    expect_shape(load<Image8>(shell, "b.ppm"), 32, 32, 3);
+    run(shell, "scanlight render ngon:64 -o b.ppm -s 32x32 --background none --format png");
+    expect_shape(load<Image8>(shell, "b.ppm"), 32, 32, 4);
 }
 
 TEST(Render, TheBackgroundIsTheColourAskedFor) {
@@ -235,6 +269,13 @@ TEST(Aov, DepthIsSixteenBitsOrADistance) {
     EXPECT_NEAR(distance.pixel(16, 12)[0], 4.0f, 1e-4f);
 }
 
+TEST(Aov, DepthMayBeANetpbmOfGrey) {
+    const Shell shell;
+    run(shell, "scanlight render cube -o a.png -s 8x6 --aov depth:z.pgm --aov depth:z.png");
+    EXPECT_TRUE(shell.read("z.pgm").starts_with("P5\n8 6\n65535\n"));
+    EXPECT_EQ(load<Image16>(shell, "z.pgm"), load<Image16>(shell, "z.png"));
+}
+
 TEST(Aov, NormalIsAColourOrAVector) {
     const Shell shell;
     run(shell,
@@ -294,6 +335,7 @@ TEST(Stats, AsJsonAreOnStandardOutput) {
     for (const auto& [name, time] : stats["milliseconds"].items()) {
         EXPECT_GE(time.get<double>(), 0.0) << name;
         EXPECT_LT(time.get<double>(), 60000.0) << name;
+        EXPECT_LE(time.dump().size(), 14u) << "more digits than a float has: " << time.dump();
     }
 }
 

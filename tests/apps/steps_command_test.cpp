@@ -56,19 +56,37 @@ TEST(StepsText, OfAllPolygonsHasOneTitleEach) {
         EXPECT_NE(text.find(title), std::string::npos) << title;
 }
 
+TEST(StepsText, SaysWhatTheFileLacks) {
+    const Shell shell;
+    shell.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\n");
+    const Outcome plain = shell.run("scanlight steps t.obj");
+    EXPECT_NE(plain.err.find("1 of 2 faces are left out"), std::string::npos) << plain.err;
+    const Outcome outcome = shell.run("scanlight steps t.obj --normals file");
+    EXPECT_NE(outcome.err.find("t.obj: brings no normals;"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, plain.out);
+}
+
 TEST(StepsText, OfNothingSeenIsEmpty) {
     const Shell shell;
     const Outcome outcome = shell.run("scanlight steps plane:1 --view 0,-40 --cull back");
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.out, "");
     EXPECT_TRUE(is_one_complaint(outcome.err)) << outcome.err;
-    EXPECT_EQ(shell.run("scanlight steps plane:1 --view 0,-40 --cull back --json").out, "[]\n");
+    const Json json =
+        Json::parse(shell.run("scanlight steps plane:1 --view 0,-40 --cull back --json").out);
+    EXPECT_EQ(json["polygons"], Json::array());
+    EXPECT_EQ(json["header"]["polygons_seen"], 0);
+    EXPECT_EQ(json["header"]["polygon_numbers"], Json::array());
 }
 
 // ---- JSON
 
-Json steps_json(const std::string& options) {
+Json steps_document(const std::string& options) {
     return Json::parse(output_of(Shell(), "scanlight steps --json " + options));
+}
+
+Json steps_json(const std::string& options) {
+    return steps_document(options)["polygons"];
 }
 
 using Numbers = std::map<std::string, double>;
@@ -183,7 +201,8 @@ TEST(StepsJson, BucketsAreWhereTheirEdgesBecomeActive) {
 TEST(StepsJson, SpansAreThePixelsOfThePicture) {
     const Shell shell;
     const std::string view = " shape:star --view 20,10 --size 40x30";
-    const Json polygon = Json::parse(output_of(shell, "scanlight steps --json" + view))[0];
+    const Json polygon =
+        Json::parse(output_of(shell, "scanlight steps --json" + view))["polygons"][0];
     output_of(shell, "scanlight render -o a.png --aov id:i.pfm -q" + view);
     const auto ids = std::get<raster::ImageF>(raster::load_image(shell / "i.pfm"));
     std::vector<int> covered(40 * 30, 0);
@@ -214,6 +233,51 @@ TEST(StepsJson, GreyLightIsOneIntensity) {
               (std::vector<std::string>{"I_b", "I_g", "I_r"}));
     EXPECT_EQ(names("ngon:3 --shading phong"), (std::vector<std::string>{"N_x", "N_y", "N_z"}));
     EXPECT_EQ(names("ngon:3 --shading flat"), std::vector<std::string>{});
+}
+
+TEST(StepsJson, SaysWhatItShows) {
+    const Json header = steps_document(
+        "cube --size 30x20 --view 40,-10 --polygon 4 --shading phong "
+        "--interpolation bilinear --perspective correct "
+        "--illumination blinn")["header"];
+    const Json expected{
+        {"scanlight", header["scanlight"]},
+        {"input", "cube"},
+        {"size", {{"width", 30}, {"height", 20}}},
+        {"view", {{"projection", "perspective"}, {"azimuth_deg", 40.0}, {"elevation_deg", -10.0}}},
+        {"polygons_seen", 6},
+        {"polygon_numbers", {4}},
+        {"shading", "phong"},
+        {"illumination", "blinn"},
+        {"interpolation", "bilinear"},
+        {"perspective", "correct"}};
+    EXPECT_EQ(header, expected);
+    EXPECT_EQ("scanlight " + header["scanlight"].get<std::string>() + "\n",
+              output_of(Shell(), "scanlight --version"));
+}
+
+TEST(StepsJson, SaysFromWhereACameraThatWasPlacedLooks) {
+    const Json header = steps_document(
+        "cube --eye 0,1,6 --projection orthographic "
+        "--interpolation triangulated --polygon all")["header"];
+    EXPECT_EQ(header["view"], Json({{"projection", "orthographic"},
+                                    {"eye", {0.0, 1.0, 6.0}},
+                                    {"target", {0.0, 0.0, 0.0}}}));
+    EXPECT_EQ(header["interpolation"], "triangulated");
+    EXPECT_EQ(header["polygon_numbers"].size(), header["polygons_seen"].get<std::size_t>());
+}
+
+TEST(StepsJson, TakesAnyFileName) {
+    const Shell shell;
+    shell.write("caf\xe9.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");  // Latin-1
+    const Json json = Json::parse(output_of(shell, "scanlight steps --json caf\xe9.obj"));
+    EXPECT_EQ(json["polygons"].size(), 1u);
+}
+
+TEST(StepsJson, InPerspectiveHasKeysWithoutBlanks) {
+    const Json corner = steps_json("ngon:3 --perspective correct")[0]["corners"][0];
+    for (const auto& [name, value] : corner["values"].items())
+        EXPECT_EQ(name.find(' '), std::string::npos) << name;
 }
 
 TEST(StepsJson, HasThePolygonAskedFor) {

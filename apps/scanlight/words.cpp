@@ -1,0 +1,50 @@
+#include "apps/scanlight/words.h"
+
+namespace scanlight::apps {
+
+Words<render::Shading> words_beside(render::Shading) {
+    using enum render::Shading;
+    return {{"flat", flat}, {"gouraud", gouraud}, {"phong", phong}};
+}
+
+Words<shading::Illumination> words_beside(shading::Illumination) {
+    using enum shading::Illumination;
+    return {{"lambert", lambert}, {"gouraud71", gouraud71}, {"phong", phong}, {"blinn", blinn}};
+}
+
+Words<Polygons> words_beside(Polygons) {
+    using enum Polygons;
+    return {{"bilinear", bilinear}, {"triangulated", triangulated}};
+}
+
+Words<render::Perspective> words_beside(render::Perspective) {
+    using enum render::Perspective;
+    return {{"correct", correct}, {"affine", affine}};
+}
+
+Words<render::Cull> words_beside(render::Cull) {
+    using enum render::Cull;
+    return {{"none", none}, {"back", back}, {"front", front}};
+}
+
+Words<render::Sides> words_beside(render::Sides) {
+    using enum render::Sides;
+    return {{"one", one}, {"two", two}};
+}
+
+Words<render::Distances> words_beside(render::Distances) {
+    using enum render::Distances;
+    return {{"finite", finite}, {"infinite", infinite}};
+}
+
+Words<mesh::NormalWeight> words_beside(mesh::NormalWeight) {
+    using enum mesh::NormalWeight;
+    return {{"mean", mean}, {"area", area}, {"angle", angle}, {"file", file}};
+}
+
+Words<render::Projection> words_beside(render::Projection) {
+    using enum render::Projection;
+    return {{"perspective", perspective}, {"orthographic", orthographic}};
+}
+
+}  // namespace scanlight::apps
