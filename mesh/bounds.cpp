@@ -3,20 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace scanlight::mesh {
 
 Box bounding_box(const Mesh& mesh) {
     const Vertices& vertices = mesh.vertices;
-    if (vertices.size() == 0) return {};
-    Box box{vertices.position(0), vertices.position(0)};
-    for (std::size_t i = 1; i < vertices.size(); ++i) {
-        const glm::dvec3 p = vertices.position(i);
-        box.low = glm::min(box.low, p);
-        box.high = glm::max(box.high, p);
-    }
+    if (vertices.size() == 0) return {glm::dvec3(0.0), glm::dvec3(0.0)};
+    Box box;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        box.include(vertices.position(i));
     return box;
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <limits>
+
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
 #include "mesh/mesh.h"
@@ -7,11 +10,18 @@
 namespace scanlight::mesh {
 
 /// An axis-aligned box; corners included. In double, because the size of a float box need not be a
-/// float.
+/// float. Begins empty, and grows.
 struct Box {
-    glm::dvec3 low{0.0};
-    glm::dvec3 high{0.0};
+    glm::dvec3 low{std::numeric_limits<double>::infinity()};
+    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 
+    void include(const glm::dvec3& point) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    bool empty() const { return low.x > high.x; }
+
+    // Of a box that is not empty:
     glm::dvec3 center() const { return 0.5 * low + 0.5 * high; }
     glm::dvec3 size() const { return high - low; }
 };

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "raster/bridges.h"
 #include "raster/vertex.h"
 
 namespace scanlight::raster {
@@ -49,11 +50,13 @@ ClipVertex<N> crossing(const ClipVertex<N>& inside, const ClipVertex<N>& outside
     return result;
 }
 
-/// One pass of Sutherland & Hodgman 1974, "Reentrant Polygon Clipping", CACM 17(1).
+/// One pass of Sutherland & Hodgman 1974, "Reentrant Polygon Clipping", CACM 17(1). The parts of a
+/// concave polygon stay one, see raster/bridges.h.
 template <int N>
 std::vector<ClipVertex<N>> clip_against(const std::vector<ClipVertex<N>>& polygon,
                                         ClipPlane plane) {
     std::vector<ClipVertex<N>> result;
+    std::vector<std::size_t> crossings;  // their places in `result`
     result.reserve(polygon.size() + 2);
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const auto& from = polygon[i];
@@ -61,10 +64,11 @@ std::vector<ClipVertex<N>> clip_against(const std::vector<ClipVertex<N>>& polygo
         const bool from_inside = distance(from.position, plane) >= 0.0f;
         const bool to_inside = distance(to.position, plane) >= 0.0f;
         if (from_inside) result.push_back(from);
-        if (from_inside && !to_inside) result.push_back(crossing(from, to, plane));
-        if (!from_inside && to_inside) result.push_back(crossing(to, from, plane));
+        if (from_inside == to_inside) continue;
+        crossings.push_back(result.size());
+        result.push_back(from_inside ? crossing(from, to, plane) : crossing(to, from, plane));
     }
-    return result;
+    return crossings.size() > 2 ? with_joint_bridges(result, crossings) : result;
 }
 
 template <int N>

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "raster/edge.h"
+#include "raster/rows.h"
 #include "raster/vertex.h"
 
 namespace scanlight::raster {
@@ -17,15 +18,17 @@ namespace scanlight::raster {
 template <class Values>
 class EdgeTable {
 public:
-    /// `values_down(top, bottom, row)` gives what the edge carries on its first scanline.
+    /// `values_down(top, bottom, row)` gives what the edge carries on its first scanline. What lies
+    /// outside `rows` is left out; inside, nothing changes by that.
     template <int N, class ValuesDown>
-    void build(std::span<const ScreenVertex<N>> polygon, ValuesDown&& values_down) {
+    void build(std::span<const ScreenVertex<N>> polygon, ValuesDown&& values_down, Rows rows = {}) {
         edges_.clear();
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const auto& a = polygon[i];
             const auto& b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
             const bool downward = a.y < b.y;
-            add(downward ? a : b, downward ? b : a, static_cast<std::uint32_t>(i), values_down);
+            add(downward ? a : b, downward ? b : a, static_cast<std::uint32_t>(i), rows,
+                values_down);
         }
         std::sort(edges_.begin(), edges_.end(), begins_before);
     }
@@ -45,12 +48,15 @@ public:
 private:
     template <int N, class ValuesDown>
     void add(const ScreenVertex<N>& top, const ScreenVertex<N>& bottom, std::uint32_t index,
-             ValuesDown& values_down) {
-        const int y_begin = first_centre(top.y);
-        const int y_end = first_centre(bottom.y);
+             Rows rows, ValuesDown& values_down) {
+        const int first = first_centre(top.y);
+        const int y_begin = std::max(first, rows.y_begin);
+        const int y_end = std::min(first_centre(bottom.y), rows.y_end);
         if (y_begin >= y_end) return;
+        Values values = values_down(top, bottom, first);
+        values.step(y_begin - first);
         edges_.push_back({y_begin, y_end, Crossing({top.x, top.y}, {bottom.x, bottom.y}, y_begin),
-                          values_down(top, bottom, y_begin), index});
+                          values, index});
     }
 
     static bool begins_before(const Edge<Values>& a, const Edge<Values>& b) {

@@ -26,17 +26,17 @@ enum class Interpolation {
 template <int N>
 class PolygonFiller {
 public:
-    /// Calls `emit(const Span<N>&)` from top to bottom and left to right.
+    /// Calls `emit(const Span<N>&)` from top to bottom and left to right, for the spans in `rows`.
     template <class Emit, class Observer = NoObserver>
     void fill(std::span<const ScreenVertex<N>> polygon, Interpolation interpolation, Emit&& emit,
-              Observer&& observer = {}) {
+              Observer&& observer = {}, Rows rows = {}) {
         if (interpolation == Interpolation::planar && polygon.size() == 3) {
             if (const auto planar = Planar<N>::of(polygon)) {
-                walk(polygon, *planar, planar_edges_, emit, observer);
+                walk(polygon, rows, *planar, planar_edges_, emit, observer);
                 return;
             }
         }
-        walk(polygon, Bilinear<N>{}, bilinear_edges_, emit, observer);
+        walk(polygon, rows, Bilinear<N>{}, bilinear_edges_, emit, observer);
     }
 
 private:
@@ -47,11 +47,12 @@ private:
     };
 
     template <class Rule, class Emit, class Observer>
-    void walk(std::span<const ScreenVertex<N>> polygon, const Rule& rule,
+    void walk(std::span<const ScreenVertex<N>> polygon, Rows rows, const Rule& rule,
               Edges<typename Rule::EdgeValues>& edges, Emit& emit, Observer& observer) {
-        edges.table.build(polygon, [&](const auto& top, const auto& bottom, int row) {
+        const auto down = [&](const auto& top, const auto& bottom, int row) {
             return rule.down(top, bottom, row);
-        });
+        };
+        edges.table.build(polygon, down, rows);
         observer.edge_table(edges.table);
         scan_convert<N>(edges.table, edges.active, rule, emit, observer);
     }

@@ -28,6 +28,11 @@ inline constexpr Depth depth_clear = 1 << 30;  // behind everything
 using Attribute = std::int32_t;
 inline constexpr float attribute_one = 536870912.0f;  // 2^29
 
+/// The largest attribute of a corner. What is interpolated over the largest picture may be off by
+/// 17409 units (see `attribute_plane`): with 32768 units left to the ends of the format it never
+/// wraps round into the other sign.
+inline constexpr float attribute_limit = 4.0f - 0x1p-14f;
+
 /// Extra fraction bits that an interpolated number carries while it is stepped.
 inline constexpr int ramp_bits = 16;
 
@@ -54,13 +59,16 @@ inline Depth depth_from_ndc(float z) {
     return static_cast<Depth>(std::llrint(static_cast<double>(clamped(z, 0.0f, 1.0f)) * depth_far));
 }
 
+/// The far plane's depth, as a float, is 2^30.
+inline constexpr float ndc_a_depth = 1.0f / 1073741824.0f;
+
 inline float ndc_from_depth(Depth depth) {
-    return static_cast<float>(static_cast<double>(depth) / depth_far);
+    return static_cast<float>(depth) * ndc_a_depth;
 }
 
 inline Attribute attribute_from_float(float value) {
     return static_cast<Attribute>(
-        std::lrint(clamped(value, -3.9999998f, 3.9999998f) * attribute_one));
+        std::lrint(clamped(value, -attribute_limit, attribute_limit) * attribute_one));
 }
 
 inline float float_from_attribute(Attribute value) {

@@ -16,6 +16,7 @@ struct Ramp {
     static constexpr std::int64_t half = std::int64_t{1} << (ramp_bits - 1);
 
     void step() { value += step_size; }
+    void step(int times) { value += times * step_size; }
     std::int32_t get() const { return static_cast<std::int32_t>((value + half) >> ramp_bits); }
 };
 
@@ -25,10 +26,11 @@ struct Ramps {
     Ramp depth;
     std::array<Ramp, N> attributes;
 
-    void step() {
-        depth.step();
+    void step() { step(1); }
+    void step(int times) {
+        depth.step(times);
         for (auto& ramp : attributes)
-            ramp.step();
+            ramp.step(times);
     }
 };
 

@@ -44,10 +44,6 @@ double magnification_from_lens(double focal_length, double frame_height) {
     return 2.0 * focal_length / frame_height;
 }
 
-double fov_deg_from_magnification(double magnification) {
-    return 360.0 / mesh::pi * std::atan(1.0 / magnification);
-}
-
 glm::dmat4 eye_from_world(const Camera& camera) {
     const glm::dvec3 z = view_axis(camera);
     const glm::dvec3 x = right_axis(camera, z);

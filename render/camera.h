@@ -28,9 +28,6 @@ double magnification_from_fov(double fov_deg);
 /// fov_y = 2 atan(h / (2F)), so that cot(fov_y / 2) = 2F / h.
 double magnification_from_lens(double focal_length, double frame_height);
 
-/// The vertical field of view in degrees. For messages: it never reaches a pixel.
-double fov_deg_from_magnification(double magnification);
-
 glm::dmat4 eye_from_world(const Camera& camera);
 
 /// Clip space of the rasterizer: -w <= x, y <= w and 0 <= z <= w, nearer is smaller. `aspect` is

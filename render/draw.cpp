@@ -9,41 +9,28 @@ namespace scanlight::render {
 
 namespace {
 
-DrawCounts draw_gouraud(const PlacedMesh& placed, const Frame& frame, const Settings& settings,
-                        raster::Framebuffer& target) {
-    const GouraudTechnique technique(placed, frame, settings);
-    return draw_polygons(placed, technique, frame, settings, target.depth, target.color);
-}
-
-template <Paint paint>
-DrawCounts draw_phong(const PlacedMesh& placed, const Frame& frame, const Settings& settings,
-                      raster::Framebuffer& target) {
+/// Techniques are chosen here, once an object, and nowhere further in. Calls `use` with it.
+template <class Use>
+decltype(auto) with_technique(const PlacedMesh& placed, const Frame& frame,
+                              const Settings& settings, Use&& use) {
+    if (settings.shading == Shading::gouraud) {
+        return use(GouraudTechnique(placed, frame, settings));
+    }
     return with_model(settings, [&](auto model) {
-        const PhongTechnique<decltype(model), paint> technique(placed, frame, model);
-        return draw_polygons(placed, technique, frame, settings, target.depth, target.color);
+        return with_paint(*placed.mesh, [&](auto paint) {
+            if (settings.shading == Shading::flat) {
+                return use(FlatTechnique<decltype(model), paint>(placed, frame, model));
+            }
+            return use(PhongTechnique<decltype(model), paint>(placed, frame, model));
+        });
     });
 }
 
-DrawCounts draw_flat(const PlacedMesh& placed, const Frame& frame, const Settings& settings,
-                     raster::Framebuffer& target) {
-    const FlatTechnique technique(placed, frame, settings);
-    return draw_polygons(placed, technique, frame, settings, target.depth, target.color);
-}
-
-/// Techniques are chosen here, once an object, and nowhere further in.
 DrawCounts draw_object(const PlacedMesh& placed, const Frame& frame, const Settings& settings,
                        raster::Framebuffer& target) {
-    switch (settings.shading) {
-        case Shading::flat:
-            return draw_flat(placed, frame, settings, target);
-        case Shading::gouraud:
-            return draw_gouraud(placed, frame, settings, target);
-        case Shading::phong:
-            return placed.mesh->vertices.has_colors()
-                       ? draw_phong<Paint::vertices>(placed, frame, settings, target)
-                       : draw_phong<Paint::material>(placed, frame, settings, target);
-    }
-    return {};
+    return with_technique(placed, frame, settings, [&](const auto& technique) {
+        return draw_polygons(placed, technique, frame, settings, target.depth, target.color);
+    });
 }
 
 }  // namespace
@@ -56,6 +43,7 @@ DrawCounts& DrawCounts::operator+=(const DrawCounts& other) {
     spans += other.spans;
     pixels_tested += other.pixels_tested;
     pixels_passed += other.pixels_passed;
+    pixels_shaded += other.pixels_shaded;
     return *this;
 }
 
@@ -64,6 +52,17 @@ Drawing draw(const Scene& scene, const Settings& settings, raster::Viewport view
     const Frame frame = frame_of(scene, settings.distances, viewport);
     for (const Object& object : scene.objects) {
         result.counts += draw_object(placed(object, frame), frame, settings, result.framebuffer);
+    }
+    return result;
+}
+
+Drawing draw_depth(const Scene& scene, const Settings& settings, raster::Viewport viewport) {
+    Drawing result{raster::Framebuffer(viewport, scene.background), {}};
+    const Frame frame = frame_of(scene, settings.distances, viewport);
+    for (const Object& object : scene.objects) {
+        result.counts +=
+            draw_polygons(placed(object, frame), PlainTechnique(scene.background), frame, settings,
+                          result.framebuffer.depth, result.framebuffer.color);
     }
     return result;
 }

@@ -18,6 +18,7 @@ struct DrawCounts {
     std::size_t spans = 0;
     std::size_t pixels_tested = 0;
     std::size_t pixels_passed = 0;
+    std::size_t pixels_shaded = 0;  // lit; where lighting waits, each pixel once
 
     DrawCounts& operator+=(const DrawCounts& other);
 };

@@ -6,7 +6,7 @@
 #include "raster/fixed.h"
 #include "raster/project.h"
 #include "render/scene.h"
-#include "shading/vector.h"
+#include "render/viewing.h"
 
 namespace scanlight::render {
 
@@ -20,17 +20,15 @@ struct Frame {
 
     /// V: unit, from a point in world space towards the eye.
     glm::vec3 view_from(const glm::vec3& point) const {
-        const glm::vec3 towards_eye = glm::vec3(viewpoint) - point * viewpoint.w;
-        return shading::unit_or(towards_eye, glm::vec3(0.0f, 0.0f, 1.0f));
+        return render::view_from(viewpoint, point);
     }
 
     /// The point of the surface that a pixel's centre shows, in world space, from its depth. Depth
     /// is exact over the screen, so no position has to be interpolated.
     glm::vec3 point_at(int x, int y, raster::Depth depth) const {
-        const glm::vec4 p = world_from_screen * glm::vec4(static_cast<float>(x) + 0.5f,
-                                                          static_cast<float>(y) + 0.5f,
-                                                          raster::ndc_from_depth(depth), 1.0f);
-        return glm::vec3(p) / p.w;
+        return point_behind(world_from_screen,
+                            glm::vec3(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f,
+                                      raster::ndc_from_depth(depth)));
     }
 };
 

@@ -6,11 +6,14 @@
 
 #include <glm/geometric.hpp>
 
+#include "mesh/bounds.h"
 #include "mesh/trigonometry.h"
 
 namespace scanlight::render {
 
 namespace {
+
+using mesh::Box;
 
 constexpr double margin = 1.06;  // room between the objects and the picture's border
 
@@ -25,18 +28,6 @@ void for_each_point(const std::vector<Object>& objects, Visit&& visit) {
         }
     }
 }
-
-struct Box {
-    glm::dvec3 low{std::numeric_limits<double>::max()};
-    glm::dvec3 high{std::numeric_limits<double>::lowest()};
-
-    void include(const glm::dvec3& p) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
-    bool empty() const { return low.x > high.x; }
-    glm::dvec3 centre() const { return 0.5 * (low + high); }
-};
 
 Box box_of(const std::vector<Object>& objects) {
     Box box;
@@ -58,7 +49,7 @@ double length(const glm::dvec3& v) {
 /// The diagonal; of a single point what can be told from nothing beside its coordinates.
 double size_of(const Box& box) {
     const double reach = std::max(length(box.low), length(box.high));
-    return std::max({length(box.high - box.low), 1e-6 * reach, 1e-30});
+    return std::max({length(box.size()), 1e-6 * reach, 1e-30});
 }
 
 /// The axis of the view, backwards.
@@ -149,8 +140,8 @@ Camera framed_in_parallel(Camera camera, const std::vector<Object>& objects, dou
     Box seen;
     for (const glm::dvec3& p : points_before(camera, objects))
         seen.include(p);
-    const glm::dvec3 half = 0.5 * (seen.high - seen.low);
-    const glm::dvec3 middle = seen.centre();
+    const glm::dvec3 half = 0.5 * seen.size();
+    const glm::dvec3 middle = seen.center();
     camera = moved(camera, {middle.x, middle.y, 0.0}, 2.0 * size);
     camera.magnification = 1.0 / (margin * std::max({half.x / aspect, half.y, 1e-30}));
     return camera;
@@ -170,7 +161,7 @@ Camera framed(Camera camera, const std::vector<Object>& objects, double aspect) 
     if (box.empty()) return camera;
     const double size = size_of(box);
     const glm::dvec3 direction = towards_eye(camera);
-    camera.target = box.centre();
+    camera.target = box.center();
     camera.eye = camera.target + direction * (2.0 * size);
     camera = camera.projection == Projection::perspective
                  ? framed_in_perspective(camera, objects, aspect, size)

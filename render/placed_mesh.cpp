@@ -5,15 +5,9 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "render/transform.h"
+
 namespace scanlight::render {
-
-namespace {
-
-glm::vec3 unit_normal(const glm::mat3& world_from_object, const glm::vec3& normal) {
-    return shading::unit_or(world_from_object * normal, normal);
-}
-
-}  // namespace
 
 PlacedMesh placed(const Object& object, const Frame& frame) {
     const mesh::Mesh& mesh = *object.mesh;
@@ -29,14 +23,14 @@ PlacedMesh placed(const Object& object, const Frame& frame) {
     result.normals.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         // In double: far from the origin the camera's place and the vertex's cancel.
-        const glm::dvec4 position(glm::dvec3(mesh.vertices.position(i)), 1.0);
-        result.clip.emplace_back(clip_from_object * position);
-        result.points.emplace_back(object.world_from_object * position);
-        result.normals.push_back(unit_normal(normals_from_object, mesh.vertices.normal(i)));
+        const glm::dvec3 position(mesh.vertices.position(i));
+        result.clip.emplace_back(transformed_point(clip_from_object, position));
+        result.points.emplace_back(transformed_point(object.world_from_object, position));
+        result.normals.push_back(transformed_normal(normals_from_object, mesh.vertices.normal(i)));
     }
     result.face_normals.reserve(mesh.face_count());
     for (const glm::vec3& normal : mesh.face_normals) {
-        result.face_normals.push_back(unit_normal(normals_from_object, normal));
+        result.face_normals.push_back(transformed_normal(normals_from_object, normal));
     }
     return result;
 }

@@ -29,6 +29,19 @@ struct PlacedMesh {
     const shading::Material<float>& material_of(std::size_t face) const {
         return (*materials)[mesh->face_material[face]];
     }
+
+    /// The normal of the side that is seen: of a back it is turned round.
+    glm::vec3 normal_seen(std::size_t vertex, Side side) const {
+        return turned(normals[vertex], side);
+    }
+    glm::vec3 face_normal_seen(std::size_t face, Side side) const {
+        return turned(face_normals[face], side);
+    }
+
+private:
+    static glm::vec3 turned(const glm::vec3& normal, Side side) {
+        return side == Side::front ? normal : -normal;
+    }
 };
 
 PlacedMesh placed(const Object& object, const Frame& frame);

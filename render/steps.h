@@ -28,9 +28,25 @@ struct PolygonSteps {
     raster::Trace trace;  // edge i runs from corner i to the next
 };
 
-/// Runs the rasterizer itself, with an observer, over each polygon that is seen of the scene's
-/// first object. Interpolation is bilinear for triangles too, so that edges carry their values;
-/// shading flat, gouraud or phong says which values those are.
+/// A polygon that can be traced.
+struct SeenPolygon {
+    std::size_t face = 0;  // of the object's mesh
+    std::uint32_t id = 0;  // its place in the file plus 1
+    int scanlines = 0;     // how many it crosses
+};
+
+/// The polygons of the scene's first object of which something is in the picture, by face.
+std::vector<SeenPolygon> seen_polygons(const Scene& scene, const Settings& settings,
+                                       raster::Viewport viewport);
+
+/// Runs the rasterizer itself, with an observer, over polygons that are seen. Interpolation is
+/// bilinear for triangles too, so that edges carry their values; shading flat, gouraud or phong
+/// says which values those are.
+std::vector<PolygonSteps> trace_polygons(const Scene& scene, const Settings& settings,
+                                         raster::Viewport viewport,
+                                         const std::vector<SeenPolygon>& polygons);
+
+/// The same over all of them.
 std::vector<PolygonSteps> trace_polygons(const Scene& scene, const Settings& settings,
                                          raster::Viewport viewport);
 

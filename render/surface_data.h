@@ -9,6 +9,23 @@
 
 namespace scanlight::render {
 
+/// All polygons in one colour, unlit: for what only depth, or the way they face, is wanted of.
+class PlainTechnique {
+public:
+    static constexpr int attribute_count = 0;
+    using Pixel = raster::Rgba;
+    struct Nothing {};
+
+    explicit PlainTechnique(const raster::Rgba& color) : color_(color) {}
+
+    std::array<float, 0> corner(std::size_t, std::uint32_t, Side) const { return {}; }
+    Nothing polygon(std::size_t, Side) const { return {}; }
+    raster::Rgba shade(const raster::Fragment<0>&, Nothing) const { return color_; }
+
+private:
+    raster::Rgba color_;
+};
+
 /// Which polygon a pixel shows: its place in the mesh file plus 1, counted on from one object to
 /// the next. 0 is the background.
 class IdTechnique {
@@ -39,12 +56,11 @@ public:
     explicit NormalTechnique(const PlacedMesh& placed) : placed_(placed) {}
 
     std::array<float, 3> corner(std::size_t, std::uint32_t vertex, Side side) const {
-        const glm::vec3 n =
-            side == Side::front ? placed_.normals[vertex] : -placed_.normals[vertex];
+        const glm::vec3 n = placed_.normal_seen(vertex, side);
         return {n.x, n.y, n.z};
     }
     glm::vec3 polygon(std::size_t face, Side side) const {
-        return side == Side::front ? placed_.face_normals[face] : -placed_.face_normals[face];
+        return placed_.face_normal_seen(face, side);
     }
     glm::vec3 shade(const raster::Fragment<3>& fragment, const glm::vec3& face_normal) const {
         const auto& a = fragment.attributes;

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "raster/line.h"
 #include "render/frame.h"
 #include "render/placed_mesh.h"
+#include "render/screen_polygons.h"
+#include "render/surface_data.h"
 
 namespace scanlight::render {
 
@@ -18,15 +21,22 @@ constexpr raster::Depth depth_slack = raster::depth_far / 1000;
 
 using Line = std::pair<std::uint32_t, std::uint32_t>;  // vertices, the lower index first
 
-/// Each edge once, however many polygons share it.
-std::vector<Line> edges_of(const mesh::Mesh& mesh) {
+void append_edges(std::vector<Line>& lines, std::span<const std::uint32_t> corners) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        lines.push_back(std::minmax({corners[i], corners[(i + 1) % corners.size()]}));
+    }
+}
+
+/// Each edge once, however many polygons share it; none that only culled polygons have.
+std::vector<Line> edges_of(const PlacedMesh& placed, const Frame& frame, const Settings& settings) {
+    const mesh::Mesh& mesh = *placed.mesh;
+    const PlainTechnique plain(raster::Rgba(0.0f));
+    const ScreenPolygons<PlainTechnique> polygons(placed, plain, frame, settings);
     std::vector<Line> lines;
     lines.reserve(mesh.corners.size());
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-        const auto corners = mesh.face(face);
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            lines.push_back(std::minmax({corners[i], corners[(i + 1) % corners.size()]}));
-        }
+        const bool culled = settings.cull != Cull::none && polygons[face].fate == Fate::culled;
+        if (!culled) append_edges(lines, mesh.face(face));
     }
     std::sort(lines.begin(), lines.end());
     lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
@@ -59,11 +69,11 @@ bool is_hidden(const raster::LinePixel& pixel, const raster::Plane<raster::Depth
 }  // namespace
 
 void draw_wireframe(const Scene& scene, raster::Rgba color, HiddenLines hidden,
-                    raster::Framebuffer& target) {
+                    raster::Framebuffer& target, const Settings& settings) {
     const Frame frame = frame_of(scene, Distances::finite, target.size());
     for (const Object& object : scene.objects) {
         const PlacedMesh mesh = placed(object, frame);
-        for (const auto& [a, b] : edges_of(*object.mesh)) {
+        for (const auto& [a, b] : edges_of(mesh, frame, settings)) {
             const auto line = raster::clip_line({mesh.clip[a], {}}, {mesh.clip[b], {}});
             if (!line) continue;
             raster::draw_line(

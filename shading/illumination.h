@@ -82,11 +82,12 @@ struct Lighting {
 /// the list, added one by one, for the bits depend on it. World space; linear, not clamped, never
 /// negative or NaN as long as material and lights are neither and all is finite. Nothing casts a
 /// shadow here: who knows that a light is hidden leaves its term out.
-template <class Model, class Real, class Number>
+template <class Model, class Real, class Number, class LightNumber = Number>
 Rgb<Real> illuminate(const Model& model, const Surface<Real>& surface,
-                     const Material<Number>& material, const Lighting<Number>& lighting) noexcept {
+                     const Material<Number>& material,
+                     const Lighting<LightNumber>& lighting) noexcept {
     Rgb<Real> intensity = ambient(Rgb<Real>(lighting.ambient), Rgb<Real>(material.ambient));
-    for (const Light<Number>& light : lighting.lights)
+    for (const Light<LightNumber>& light : lighting.lights)
         intensity = intensity + model(surface, material, incident_at(light, surface.point));
     return intensity;
 }

@@ -32,6 +32,7 @@ public:
 private:
     struct Nothing {
         void step() {}
+        void step(int) {}
     };
 
     raster::EdgeTable<Nothing> table_;

@@ -19,7 +19,8 @@ using laws::Random;
 struct Mark {
     SubPixel top_y = 0;
     int steps = 0;
-    void step() { ++steps; }
+    void step() { step(1); }
+    void step(int times) { steps += times; }
 };
 
 EdgeTable<Mark> table_of(const Points& points) {

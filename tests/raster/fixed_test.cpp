@@ -36,8 +36,10 @@ TEST(Fixed, ConversionsClampWhatDoesNotFit) {
     EXPECT_EQ(depth_from_ndc(-0.5f), 0);
     EXPECT_EQ(depth_from_ndc(infinity), depth_far);
     EXPECT_EQ(depth_from_ndc(nan), 0);
-    EXPECT_GT(attribute_from_float(infinity), attribute_from_float(3.99999f));
-    EXPECT_LT(attribute_from_float(-1e30f), attribute_from_float(-3.99999f));
+    EXPECT_EQ(attribute_from_float(infinity), attribute_from_float(attribute_limit));
+    EXPECT_EQ(attribute_from_float(-1e30f), attribute_from_float(-attribute_limit));
+    EXPECT_GT(attribute_from_float(infinity), attribute_from_float(3.9999f));
+    EXPECT_LT(attribute_from_float(-infinity), attribute_from_float(-3.9999f));
     EXPECT_EQ(attribute_from_float(nan), attribute_from_float(-infinity));
 }
 

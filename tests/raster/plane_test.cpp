@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -32,11 +33,16 @@ Triangle random_triangle(Random& random) {
     return laws::with_random_values<1>(points, random);
 }
 
-/// The bound that `Planar` states for an attribute: half a unit a pixel from corner 0, and one.
+/// The bound that `attribute_plane` states.
 double attribute_bound(const Triangle& t, int x, int y) {
     const int distance =
         std::abs(x - (t[0].x >> subpixel_bits)) + std::abs(y - (t[0].y >> subpixel_bits));
-    return 0.5 * distance + 1.0;
+    return 17.0 / 32.0 * distance + 1.0;
+}
+
+/// Attributes are whole units on a plane, and known modulo 2^32; so are they looked at here.
+std::int64_t attribute_at(const Span<1>& span, int x) {
+    return laws::ahead(span.ramps.attributes[0], x - span.x_begin).get();
 }
 
 /// Calls `check(x, span)` at both ends of each span: in between everything is linear.
@@ -54,9 +60,9 @@ testing::AssertionResult keeps_the_bounds(PolygonFiller<1>& filler, const Triang
     const auto attributes = laws::corner_attributes(t, 0);
     const auto depths = laws::corner_depths(t);
     at_span_ends(filler, t, [&](int x, const Span<1>& span) {
-        const Ramp attribute = laws::ahead(span.ramps.attributes[0], x - span.x_begin);
+        const std::int64_t attribute = attribute_at(span, x) << ramp_bits;
         const Ramp depth = laws::ahead(span.ramps.depth, x - span.x_begin);
-        const double wrong = laws::error_from_plane(attribute.value, points, attributes, x, span.y);
+        const double wrong = laws::error_from_plane(attribute, points, attributes, x, span.y);
         const double wrong_depth = laws::error_from_plane(depth.value, points, depths, x, span.y);
         const bool kept = std::abs(wrong) <= attribute_bound(t, x, span.y) &&
                           std::abs(wrong_depth) < 0.5 && laws::beyond(depth.get(), depths) == 0;
@@ -100,13 +106,50 @@ Triangle with_smooth_values(const Points& points, Random& random) {
     return t;
 }
 
+/// Long, and down to 1/32 of a sub-pixel wide and beyond.
+Points random_thread(Random& random) {
+    const int extent = screen >> random.between(0, 6);
+    return laws::random_sliver(random, extent);
+}
+
 TEST(Planar, KeepsItsBoundsOnTheThinnestTriangles) {
     Random random(2);
     PolygonFiller<1> filler;
-    const ScreenPoint centre = laws::centre_of(max_size / 2, max_size / 2);
+    for (int i = 0; i < laws::cases(3000); ++i)
+        ASSERT_TRUE(keeps_the_bounds(filler, with_smooth_values(random_thread(random), random)));
+}
+
+/// The largest change a pixel of the attribute, in units.
+double steepness(const Triangle& t) {
+    const auto setup = plane_setup({t[0].x, t[0].y}, {t[1].x, t[1].y}, {t[2].x, t[2].y});
+    if (!setup) return 0.0;
+    const Gradient g = gradient(*setup, t[0].attributes[0], t[1].attributes[0], t[2].attributes[0]);
+    return std::max(std::abs(g.dx), std::abs(g.dy));
+}
+
+TEST(Planar, KeepsItsBoundsWhereGradientsWrapRound) {
+    Random random(8);
+    PolygonFiller<1> filler;
+    int wrapped = 0;
     for (int i = 0; i < laws::cases(3000); ++i) {
-        const Points needle = laws::random_needle(random, centre);
-        ASSERT_TRUE(keeps_the_bounds(filler, with_smooth_values(needle, random)));
+        Triangle t = laws::with_random_values<1>(random_thread(random), random);
+        for (auto& corner : t)
+            corner.z = 12345;
+        wrapped += Planar<1>::of(t) && steepness(t) > 0x1p33 ? 1 : 0;
+        ASSERT_TRUE(keeps_the_bounds(filler, t));
+    }
+    EXPECT_GT(wrapped, laws::cases(3000) / 4);
+}
+
+TEST(Planar, NoAttributeHasAGradientOf2To46) {
+    Random random(9);
+    for (int i = 0; i < laws::cases(200'000); ++i) {
+        Triangle t = laws::without_values<1>(random_thread(random));
+        for (auto& corner : t) {
+            corner.attributes[0] = random.one_in(2) ? std::numeric_limits<Attribute>::max()
+                                                    : std::numeric_limits<Attribute>::min();
+        }
+        ASSERT_LT(steepness(t), 0x1p46);
     }
 }
 
@@ -122,9 +165,9 @@ TEST(Planar, EqualsBilinearWithinTheStatedBound) {
         for (std::size_t k = 0; k < planar.size(); ++k) {
             ASSERT_EQ(planar[k].x_begin, bilinear[k].x_begin);
             ASSERT_EQ(planar[k].x_end, bilinear[k].x_end);
-            const double attribute = laws::units(planar[k].ramps.attributes[0].value -
-                                                 bilinear[k].ramps.attributes[0].value);
-            ASSERT_LE(std::abs(attribute), 0.008 * one_of_255);
+            const double attribute = planar[k].ramps.attributes[0].get() -
+                                     laws::units(bilinear[k].ramps.attributes[0].value);
+            ASSERT_LE(std::abs(attribute), 0.009 * one_of_255);
             ASSERT_LE(std::abs(planar[k].ramps.depth.get() - bilinear[k].ramps.depth.get()), 1);
         }
     }
@@ -144,9 +187,40 @@ TEST(Planar, IsAddedUpOrEvaluatedDirectlyTheSameBits) {
                 // A left edge that begins at pixel x, straight down.
                 Edge<Planar<1>::EdgeValues> edge;
                 edge.crossing = Crossing({x * subpixels, 0}, {x * subpixels, screen}, 0);
-                ASSERT_EQ(planar->along(edge, edge, span.y), stepped);
+                const Ramps<1> direct = planar->along(edge, edge, span.y);
+                ASSERT_EQ(direct.depth, stepped.depth);
+                ASSERT_EQ(direct.attributes[0].get(), stepped.attributes[0].get());
             }
         }
+    }
+}
+
+/// One that spans the largest picture, the first corner far from the rest or in their midst.
+Points triangle_over_all(Random& random) {
+    const auto near_end = [&] {
+        const int inset = random.between(0, 2 * subpixels);
+        return random.one_in(2) ? inset : screen - inset;
+    };
+    Points points;
+    for (int i = 0; i < 3; ++i) {
+        const int x = near_end();
+        points.push_back({x, near_end()});
+    }
+    return points;
+}
+
+TEST(Planar, AttributesAtTheEndsOfTheirRangeKeepTheirSign) {
+    Random random(11);
+    PolygonFiller<1> filler;
+    for (int i = 0; i < laws::cases(1000); ++i) {
+        const Points points = random.one_in(2) ? triangle_over_all(random) : random_thread(random);
+        const Attribute end = attribute_from_float(random.one_in(2) ? 1e9f : -1e9f);
+        Triangle t = laws::without_values<1>(points);
+        for (auto& corner : t)
+            corner.attributes[0] = end - (end > 0 ? 1 : -1) * random.between(0, 1 << 14);
+        at_span_ends(filler, t, [&](int x, const Span<1>& span) {
+            ASSERT_EQ(attribute_at(span, x) > 0, end > 0) << testing::PrintToString(points);
+        });
     }
 }
 
@@ -162,12 +236,30 @@ TEST(Planar, RefusesTrianglesOfNoArea) {
     }
 }
 
-TEST(Planar, RefusesSliversWhoseGradientDoesNotFit) {
-    // 32 pixels long, 1/256 pixel wide: 2^30 from one side to the other is 2^38 a pixel.
-    Triangle t{{128, 0, 0, {0}}, {128, 8192, 0, {0}}, {129, 4096, 0, {1 << 30}}};
+TEST(Planar, RefusesTrianglesThinnerThanTheirThirtySecond) {
+    const Triangle refused{{0, 0, 0, {0}}, {32, 1, 0, {0}}, {31, 1, 0, {0}}};
+    const Triangle taken{{0, 0, 0, {0}}, {31, 1, 0, {0}}, {30, 1, 0, {0}}};
+    EXPECT_FALSE(Planar<1>::of(refused));
+    EXPECT_TRUE(Planar<1>::of(taken));
+}
+
+TEST(Planar, RefusesSliversWhoseDepthDoesNotFit) {
+    // 32 pixels long, 1/256 pixel wide: 2^29 from one side to the other is 2^37 a pixel.
+    Triangle t{{128, 0, 0, {0}}, {128, 8192, 0, {0}}, {129, 4096, 1 << 29, {0}}};
     EXPECT_FALSE(Planar<1>::of(t));
-    t[2].attributes[0] = 1 << 20;
+    t[2].z = 1 << 20;
     EXPECT_TRUE(Planar<1>::of(t));
+}
+
+TEST(Planar, IsChosenWithoutALookAtTheAttributes) {
+    Random random(10);
+    for (int i = 0; i < laws::million; ++i) {
+        Triangle t = random_triangle(random);
+        const bool is_planar = Planar<1>::of(t).has_value();
+        for (auto& corner : t)
+            corner.attributes[0] = 0;
+        ASSERT_EQ(Planar<1>::of(t).has_value(), is_planar);
+    }
 }
 
 TEST(Planar, LeavesWhatItRefusesToBilinear) {

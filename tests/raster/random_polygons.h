@@ -186,14 +186,15 @@ std::vector<ScreenVertex<N>> without_values(const Points& points) {
     return polygon;
 }
 
-/// Depths and attributes anywhere in the range of their formats.
+/// Depths and attributes anywhere in the range that corners have.
 template <int N>
 std::vector<ScreenVertex<N>> with_random_values(const Points& points, Random& random) {
+    const Attribute limit = attribute_from_float(attribute_limit);
     auto polygon = without_values<N>(points);
     for (auto& corner : polygon) {
         corner.z = random.between(0, depth_far);
         for (auto& attribute : corner.attributes)
-            attribute = random.between(-2147483647, 2147483647);
+            attribute = random.between(-limit, limit);
     }
     return polygon;
 }

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <random>
 #include <span>
@@ -336,6 +337,7 @@ TEST_F(SaveFile, WritesIntoAPipeOfAName) {
 // Runs a save to standard output into `fd` in a process of its own: 0 written, 2 refused; killed by
 // a signal otherwise.
 int save_to_standard_output(int fd, std::string_view text) {
+    std::fflush(stdout);  // or the child writes what waits there, too
     const pid_t child = fork();
     if (child == 0) {
         dup2(fd, STDOUT_FILENO);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/render/scenes.h"
 
@@ -70,6 +71,11 @@ TEST(Camera, PipeC_Pixel) {
         raster::snapped<0>(glm::vec4(frame.clip_from_world * example_point), frame.viewport);
     EXPECT_NEAR(snapped.x / 256.0, 372.583159, 0.5 / 256.0 + 1e-4);
     EXPECT_NEAR(snapped.y / 256.0, 194.379147, 0.5 / 256.0 + 1e-4);
+}
+
+/// The vertical field of view of a perspective magnification.
+double fov_deg_from_magnification(double magnification) {
+    return 360.0 / std::numbers::pi * std::atan(1.0 / magnification);
 }
 
 TEST(Camera, PipeD_LensToFieldOfView) {

@@ -121,6 +121,48 @@ TEST(ShadingLaws, GouraudMixesTheVertexIntensities) {
     }
 }
 
+/// A square of 2 x 2 that faces the camera, under one light of an intensity.
+Scene flat_lit_plane(const mesh::Mesh& mesh, float intensity) {
+    Scene scene = scene_of(mesh, {{0.0, 60.0}, size});
+    scene.lighting = {glm::vec3(0.0f),
+                      {shading::directional_light<float>(glm::vec3(0.3f, 1.0f, 0.2f),
+                                                         glm::vec3(intensity, 1.0f, 0.01f))}};
+    return scene;
+}
+
+TEST(ShadingLaws, GouraudEqualsFlatOnAFlatLitPlaneHoweverBrightTheLight) {
+    const auto mesh = shape_mesh("plane:3");
+    for (const float intensity : {1.0f, 3.9f, 4.1f, 100.0f, 1e6f, 1e30f}) {
+        const Scene scene = flat_lit_plane(mesh, intensity);
+        Settings settings;
+        settings.illumination = shading::Illumination::lambert;
+        settings.shading = Shading::flat;
+        const auto flat = draw(scene, settings, size).framebuffer.color;
+        settings.shading = Shading::gouraud;
+        const auto gouraud = draw(scene, settings, size).framebuffer.color;
+        float brightest = 0.0f;
+        for_each_pixel(size, [&](int x, int y) {
+            const float expected = flat.at(x, y).r;
+            ASSERT_NEAR(gouraud.at(x, y).r, expected, 1e-5f * expected);
+            brightest = std::max(brightest, expected);
+        });
+        EXPECT_GT(brightest, 0.4f * intensity);
+    }
+}
+
+TEST(ShadingLaws, IntensitiesThatFitAreInterpolatedAsTheyAre) {
+    const auto mesh = shape_mesh("plane:3");
+    const auto unit_of = [&mesh](float intensity) {
+        const Scene scene = flat_lit_plane(mesh, intensity);
+        const Frame frame = frame_of(scene, Distances::finite, size);
+        return vertex_intensities(placed(scene.objects[0], frame), frame, {}).unit;
+    };
+    EXPECT_EQ(unit_of(0.5f), 1.0f);
+    EXPECT_EQ(unit_of(4.0f), 1.0f);  // a diffuse half of it arrives
+    EXPECT_GT(unit_of(100.0f), 8.0f);
+    EXPECT_LE(unit_of(100.0f), 32.0f);
+}
+
 /// The colour of the unit sphere at a pixel, by a ray of a parallel camera, in double.
 glm::dvec3 analytic_sphere(const Scene& scene, const glm::dvec3& point) {
     const glm::dvec3 eye = glm::normalize(scene.camera.eye - scene.camera.target);

@@ -80,6 +80,27 @@ TEST(Steps, EachNumberBelongsToAName) {
     }
 }
 
+TEST(Steps, ShowIntensitiesAsTheyAreHoweverBright) {
+    const auto mesh = shape_mesh("star:5");
+    Settings settings;
+    settings.shading = Shading::gouraud;
+    Scene scene = scene_of(mesh, {{}, size});
+    const PolygonSteps dim = trace_polygons(scene, settings, size).at(0);
+    scene.lighting.ambient *= 64.0f;
+    scene.lighting.lights.at(0).intensity *= 64.0f;
+    const PolygonSteps bright = trace_polygons(scene, settings, size).at(0);
+    const auto expect_64_fold = [](const auto& a, const auto& b) {
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_NEAR(b.values[k] / a.values[k], 64.0, 1e-5);
+    };
+    expect_64_fold(dim.corners.at(0), bright.corners.at(0));
+    expect_64_fold(dim.trace.edge_table.at(0), bright.trace.edge_table.at(0));
+    const auto& dim_line = dim.trace.scanlines.at(size.height / 2);
+    const auto& bright_line = bright.trace.scanlines.at(size.height / 2);
+    expect_64_fold(dim_line.active.at(0), bright_line.active.at(0));
+    expect_64_fold(dim_line.spans.at(0), bright_line.spans.at(0));
+}
+
 TEST(Steps, SeeOnlyPolygonsThatAreSeen) {
     const auto mesh = shape_mesh("cube");
     const Scene scene = scene_of(mesh, {{30.0, 40.0}, size});
@@ -92,6 +113,24 @@ TEST(Steps, SeeOnlyPolygonsThatAreSeen) {
     for (const auto& polygon : seen) {
         EXPECT_EQ(polygon.id, polygon.face + 1);
         EXPECT_NE(std::count(ids.values().begin(), ids.values().end(), polygon.id), 0);
+    }
+}
+
+TEST(Steps, OfChosenPolygonsAreThoseOfAll) {
+    const auto mesh = shape_mesh("cube");
+    const Scene scene = scene_of(mesh, {{30.0, 40.0}, size});
+    Settings settings;
+    settings.cull = Cull::back;
+    const auto all = trace_polygons(scene, settings, size);
+    const auto seen = seen_polygons(scene, settings, size);
+    ASSERT_EQ(seen.size(), all.size());
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const auto alone = trace_polygons(scene, settings, size, {seen[i]});
+        ASSERT_EQ(alone.size(), 1u);
+        EXPECT_EQ(alone[0].face, all[i].face);
+        EXPECT_EQ(alone[0].id, all[i].id);
+        EXPECT_EQ(covered_by(alone), covered_by(std::vector{all[i]}));
+        EXPECT_EQ(static_cast<std::size_t>(seen[i].scanlines), all[i].trace.scanlines.size());
     }
 }
 

@@ -91,6 +91,35 @@ TEST_P(WireframeOfACube, VisibleEdgesHaveNoGaps) {
     }
 }
 
+/// Without back faces a cube has nine edges, without front faces the nine of its other side.
+TEST_P(WireframeOfACube, HasNoEdgesOfCulledPolygonsOnly) {
+    Settings settings;
+    const auto shows = [&](Cull cull, const EdgeMiddle& edge) {
+        settings.cull = cull;
+        auto target = blank();
+        draw_wireframe(scene, ink, HiddenLines::shown, target, settings);
+        return is_inked(target, screen_from_world(scene.camera, size, edge.place));
+    };
+    for (const auto& edge : cube_edges()) {
+        const bool in_front = edge.place.x + edge.place.y + edge.place.z > 1.5;
+        EXPECT_EQ(shows(Cull::back, edge), !edge.hidden);
+        EXPECT_EQ(shows(Cull::front, edge), !in_front);
+    }
+}
+
+TEST_P(WireframeOfACube, NeedsOnlyTheDepthOfThePolygons) {
+    for (const Cull cull : {Cull::none, Cull::back, Cull::front}) {
+        Settings settings;
+        settings.cull = cull;
+        auto unlit = draw_depth(scene, settings, size);
+        auto lit = draw(scene, settings, size);
+        EXPECT_EQ(unlit.framebuffer.depth, lit.framebuffer.depth);
+        EXPECT_EQ(unlit.framebuffer.color, blank().color);
+        EXPECT_EQ(unlit.counts.pixels_passed, lit.counts.pixels_passed);
+        EXPECT_EQ(unlit.counts.culled, lit.counts.culled);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Cameras, WireframeOfACube, testing::ValuesIn(all_projections),
                          [](const auto& param) {
                              return param.param == Projection::perspective ? "perspective"

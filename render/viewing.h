@@ -1,0 +1,31 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include "render/transform.h"
+#include "shading/vector.h"
+
+namespace scanlight::render {
+
+// From a pixel back into the world. Templates on the number type, as in shading/real.h.
+
+/// V: unit, from a point in world space towards the eye. `viewpoint` is homogeneous: the eye, or
+/// the direction to it.
+template <class Real>
+shading::Vec3<Real> view_from(const glm::vec4& viewpoint, const shading::Vec3<Real>& point) {
+    const shading::Vec3<Real> towards_eye(Real(viewpoint.x) - point.x * Real(viewpoint.w),
+                                          Real(viewpoint.y) - point.y * Real(viewpoint.w),
+                                          Real(viewpoint.z) - point.z * Real(viewpoint.w));
+    return shading::unit_or(towards_eye, shading::Vec3<Real>(Real(0), Real(0), Real(1)));
+}
+
+/// The point in world space behind a place on the screen: x and y in pixels, depth 0 to 1.
+template <class Real>
+shading::Vec3<Real> point_behind(const glm::mat4& world_from_screen,
+                                 const shading::Vec3<Real>& screen) {
+    const auto p = transformed_point(world_from_screen, screen);
+    return {p.x / p.w, p.y / p.w, p.z / p.w};
+}
+
+}  // namespace scanlight::render
