@@ -96,7 +96,24 @@ static_assert(thresholds[0] > cells_begin && thresholds[254] < 1);
 static_assert(cell_start(cell_count) == 1);
 static_assert(one_threshold_a_cell());
 
+constexpr std::int32_t srgb_cell(std::size_t cell) {
+    const std::uint8_t value = first_values[cell];
+    const bool has_step = thresholds[value] < cell_start(cell + 1);
+    const std::int32_t step =
+        has_step
+            ? static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(thresholds[value]) & 0xffff)
+            : 1 << cell_bits;
+    return std::int32_t{value} << (cell_bits + 1) | step;
+}
+
 }  // namespace
+
+const std::array<std::int32_t, 13 * 128> srgb_cells = [] {
+    std::array<std::int32_t, cell_count> table{};
+    for (std::size_t cell = 0; cell < cell_count; ++cell)
+        table[cell] = srgb_cell(cell);
+    return table;
+}();
 
 std::uint8_t srgb_from_linear(float linear) noexcept {
     if (!(linear >= cells_begin)) return 0;  // NaN too

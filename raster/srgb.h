@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace scanlight::raster {
@@ -13,5 +14,11 @@ std::uint8_t srgb_from_linear(float linear) noexcept;
 
 /// The inverse, in [0, 1], correctly rounded to float.
 float linear_from_srgb(std::uint8_t srgb) noexcept;
+
+/// The same for vectors of intensities. Those of [2^-13, 1) fall into cells by exponent and the
+/// first seven bits of the fraction. A cell's entry holds the byte of its first intensity, shifted
+/// left by 17, and below that the last 16 bits from which on the byte is one more, or 65536.
+inline constexpr float first_srgb_cell = 1.0f / 8192;
+extern const std::array<std::int32_t, 13 * 128> srgb_cells;
 
 }  // namespace scanlight::raster

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "raster/polygon_streams.h"
+#include "raster/span.h"
+
+namespace scanlight::raster {
+
+inline constexpr int most_attributes = 7;
+
+/// An attribute of all vertices of a mesh, for polygons seen from the front and from the back, each
+/// times its scale. Null stands for 1.
+struct AttributeStream {
+    const float* front = nullptr;
+    const float* back = nullptr;
+    float front_scale = 1.0f;
+    float back_scale = 1.0f;
+
+    float at(std::uint32_t vertex, FaceItem face) const {
+        if (front == nullptr) return 1.0f;
+        return (face & back_flag) == 0 ? front[vertex] * front_scale : back[vertex] * back_scale;
+    }
+};
+
+/// What is interpolated over the polygons of one mesh.
+struct Attributes {
+    std::array<AttributeStream, most_attributes> streams;
+    int count = 0;
+    std::span<const float> w;          // of each vertex, clip space
+    bool perspective_correct = false;  // see `project_correct`
+};
+
+/// A number over one row of one polygon, or over all of a triangle: at the centre of pixel (x, y)
+///     (whole + x dx + y dy) + (fraction + x fraction_dx) / 2^16, rounded,
+/// modulo 2^32: exactly what `Planar` and `Bilinear` come to there by repeated addition.
+struct RecordStreams {
+    std::vector<std::int32_t> whole, dx, dy, fraction, fraction_dx;
+
+    void resize(std::size_t n) {
+        for (auto* stream : {&whole, &dx, &dy, &fraction, &fraction_dx})
+            stream->resize(n);
+    }
+};
+
+/// The attributes of all that a band shows: a record for each visible triangle, and one for each
+/// span of a visible polygon that is walked.
+struct AttributeRecords {
+    std::array<RecordStreams, most_attributes> attributes;  // those beyond the count stay empty
+    int attribute_count = 0;
+    std::vector<std::int32_t> face;  // FaceItem
+    std::size_t count = 0;
+    bool has_fractions = false;  // else they are all 0
+
+    /// No records, of so many attributes each.
+    void clear(int attributes_each) {
+        count = 0;
+        has_fractions = false;
+        attribute_count = attributes_each;
+        for (int k = 0; k < attribute_count; ++k)
+            attributes[static_cast<std::size_t>(k)].resize(face.size());
+    }
+
+    /// Room for n records, and a vector more.
+    void reserve(std::size_t n) {
+        constexpr std::size_t most_lanes = 64;
+        if (face.size() >= n + most_lanes) return;
+        face.resize(2 * n + most_lanes);
+        for (int k = 0; k < attribute_count; ++k)
+            attributes[static_cast<std::size_t>(k)].resize(face.size());
+    }
+};
+
+/// The ramp of a span as a record that counts x from the picture's edge. Modulo 2^64.
+void set_record(RecordStreams& streams, std::size_t record, const Ramp& ramp, int x_begin);
+
+}  // namespace scanlight::raster

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "raster/polygon_streams.h"
+#include "raster/rows.h"
+
+namespace scanlight::raster {
+
+/// The bands into which a picture's rows are cut: each is drawn by one thread.
+struct Bands {
+    int height = 0;  // of the picture
+    int rows = 32;   // of a band
+
+    int count() const { return (height + rows - 1) / rows; }
+    Rows operator[](int band) const {
+        return {band * rows, band * rows + rows < height ? band * rows + rows : height};
+    }
+    int holding(int row) const { return row / rows; }
+};
+
+/// The polygons of one stretch of faces, sorted into bands: a polygon lies in each band it touches,
+/// and in each band they keep their order.
+struct Bin {
+    std::vector<FaceItem> items;
+    std::vector<std::size_t> begin;  // bands + 1 of them, into `items`
+    /// Corners of those that were clipped, by ascending face.
+    std::vector<FaceItem> clipped_faces;
+    std::vector<std::size_t> clipped_begin{0};
+    std::vector<ScreenVertex<0>> clipped_corners;
+    FateCounts fates;
+
+    std::span<const FaceItem> band(int i) const {
+        const auto k = static_cast<std::size_t>(i);
+        return std::span(items).subspan(begin[k], begin[k + 1] - begin[k]);
+    }
+    /// Empty if the face was not clipped.
+    std::span<const ScreenVertex<0>> clipped(std::size_t face) const;
+};
+
+/// The part of a face inside the view volume, on the screen; empty when all is outside.
+using ClipFace = std::function<std::vector<ScreenVertex<0>>(std::size_t face)>;
+
+/// Culls faces [begin, end) and sorts what is left into bands. `cull` is one of `LanePath`.
+/// Keeps the memory of `bin`.
+using CullFaces = void (*)(const PolygonStreams&, CullRule, std::size_t begin, std::size_t end,
+                           Survivors&, FateCounts&);
+void fill_bin(const PolygonStreams& streams, CullRule rule, std::size_t begin, std::size_t end,
+              const Bands& bands, CullFaces cull, const ClipFace& clip_face, Survivors& scratch,
+              Bin& bin);
+
+}  // namespace scanlight::raster

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "raster/fixed.h"
+#include "raster/lanes/numbers.h"
+#include "raster/ramp.h"
+#include "raster/visible_band.h"
+
+namespace scanlight::raster::HWY_NAMESPACE {
+
+/// The values of a ramp at as many pixels as there are lanes. A ramp carries 16 fraction bits in 64
+/// bits; here its whole part and its fraction go apart, in 32 bits each. The fractions are added up
+/// without carrying over: over a whole row of 16384 pixels they stay below 2^31.
+/// The same bits as `Ramp::get` after as many `Ramp::step`s.
+class RampLanes {
+public:
+    /// The first lane is `value` itself.
+    RampLanes(std::int64_t value, std::int64_t step)
+        : whole_(Ints(whole(value)) + iota() * Ints(whole(step))),
+          fraction_(Ints(fraction(value) + half) + iota() * Ints(fraction(step))),
+          whole_step_(whole(times_lanes(step))),
+          fraction_step_(fraction(times_lanes(step))) {}
+
+    Ints get() const { return whole_ + shift_right<ramp_bits>(fraction_); }
+
+    /// The values when the whole ramp is lifted by `value`.
+    Ints from(std::int64_t value) const {
+        return whole_ + Ints(whole(value)) +
+               shift_right<ramp_bits>(fraction_ + Ints(fraction(value)));
+    }
+
+    void step() {
+        whole_ += whole_step_;
+        fraction_ += fraction_step_;
+    }
+
+private:
+    static constexpr std::int32_t half = 1 << (ramp_bits - 1);
+    /// Modulo 2^64, as all ramps are.
+    static std::int64_t times_lanes(std::int64_t step) {
+        return static_cast<std::int64_t>(static_cast<std::uint64_t>(step) * lane_count);
+    }
+    static std::int32_t whole(std::int64_t v) { return static_cast<std::int32_t>(v >> ramp_bits); }
+    static std::int32_t fraction(std::int64_t v) { return static_cast<std::int32_t>(v & 0xffff); }
+
+    Ints whole_;
+    Ints fraction_;
+    Ints whole_step_;
+    Ints fraction_step_;
+};
+
+/// The z-buffer for one vector of pixels: where `z` is nearer than what is there, it and the item
+/// take its place. Returns how many did.
+inline int store_nearer(Mask covered, Ints z, Ints item, Depth* depth, Item* items) {
+    const Mask nearer = covered & (z < load(depth));
+    if (!any(nearer)) return 0;
+    store_where(nearer, z, depth);
+    store_where(nearer, item, items);
+    return count(nearer);
+}
+
+/// Draws pixels [x_begin, x_end) of a row, their depth by a ramp that begins at x_begin.
+inline std::size_t draw_span(Depth* depth, Item* items, int x_begin, int x_end, Ramp ramp,
+                             Item item) {
+    RampLanes z(ramp.value, ramp.step_size);
+    const Ints item_lanes(item);
+    const Mask whole = first_lanes(lane_count);
+    std::size_t passed = 0;
+    int x = x_begin;
+    for (; x + lane_count <= x_end; x += lane_count, z.step()) {
+        passed += static_cast<std::size_t>(
+            store_nearer(whole, z.get(), item_lanes, depth + x, items + x));
+    }
+    if (x < x_end) {
+        passed += static_cast<std::size_t>(
+            store_nearer(first_lanes(x_end - x), z.get(), item_lanes, depth + x, items + x));
+    }
+    return passed;
+}
+
+}  // namespace scanlight::raster::HWY_NAMESPACE

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+#include "raster/framebuffer.h"
+
+namespace scanlight::raster {
+
+/// A pixel in 32 bits, 8 a channel: red in the lowest byte, then green, blue and alpha.
+using PackedPixel = std::uint32_t;
+
+/// How intensities become bytes.
+enum class Encoding {
+    srgb,    // for people's eyes: IEC 61966-2-1
+    linear,  // nearest of 255 equal steps
+};
+
+/// Clamped to [0, 1] first; a NaN is 0. Alpha is 255 where it is above 0.
+PackedPixel packed_pixel(const Rgba& color, Encoding encoding);
+
+}  // namespace scanlight::raster

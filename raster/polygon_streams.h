@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "raster/clip.h"
+#include "raster/vertex.h"
+
+namespace scanlight::raster {
+
+/// The polygons of one mesh on the screen, as plain arrays: one stream a number, so that a vector's
+/// worth of vertices loads at once. Borrowed; the owner outlives it.
+struct PolygonStreams {
+    std::span<const std::int32_t> x, y, z;      // of each vertex: SubPixel, SubPixel, Depth
+    std::span<const std::int32_t> outside;      // the clip planes beyond which it lies: their bits
+    std::span<const std::uint32_t> corners;     // indices of vertices
+    std::span<const std::uint32_t> face_begin;  // faces + 1 of them, into `corners`
+    bool mirrored = false;                      // front faces run clockwise
+
+    std::span<const std::uint32_t> face(std::size_t f) const {
+        return corners.subspan(face_begin[f], face_begin[f + 1] - face_begin[f]);
+    }
+    /// Where vertex `v` is; only of vertices inside the view volume.
+    ScreenVertex<0> corner(std::uint32_t v) const { return {x[v], y[v], z[v], {}}; }
+};
+
+/// The bit of a clip plane in `PolygonStreams::outside`.
+constexpr std::int32_t outside_bit(ClipPlane plane) {
+    return std::int32_t{1} << static_cast<int>(plane);
+}
+
+// A polygon on its way to the bands is its face's number with two flags.
+using FaceItem = std::uint32_t;
+inline constexpr FaceItem back_flag = 1u << 31;  // it shows its back
+inline constexpr FaceItem walk_flag = 1u << 30;  // its values come from the walk down its edges
+inline constexpr FaceItem face_mask = walk_flag - 1;
+inline constexpr std::size_t most_faces = face_mask;
+
+/// Which polygons to leave out, by the way they run on the screen.
+struct CullRule {
+    bool front = false;
+    bool back = false;
+};
+
+/// What became of some polygons.
+struct FateCounts {
+    std::size_t outside = 0;
+    std::size_t culled = 0;
+    std::size_t drawn = 0;
+
+    FateCounts& operator+=(const FateCounts& other) {
+        outside += other.outside;
+        culled += other.culled;
+        drawn += other.drawn;
+        return *this;
+    }
+};
+
+/// Polygons that go on: seen, and with a pixel's centre in their box. One element more than a
+/// vector is needed behind the last, for whole vectors are written.
+struct Survivors {
+    std::vector<std::int32_t> item;     // FaceItem
+    std::vector<std::int32_t> y_begin;  // their rows; nothing yet of those marked `walk_flag`,
+    std::vector<std::int32_t> y_end;    // which have not been culled either
+    std::size_t count = 0;
+
+    void reserve(std::size_t n) {
+        if (item.size() >= n) return;
+        item.resize(n);
+        y_begin.resize(n);
+        y_end.resize(n);
+    }
+    void push(FaceItem face, int first_row, int row_end) {
+        item[count] = static_cast<std::int32_t>(face);
+        y_begin[count] = first_row;
+        y_end[count] = row_end;
+        ++count;
+    }
+};
+
+}  // namespace scanlight::raster

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <variant>
+
+#include "raster/lane_path.h"
+#include "render/object_pass.h"
+
+namespace scanlight::render {
+
+using Target = std::variant<FloatTarget, PackedTarget>;
+
+/// The vector code of this room for one instruction set. All sets give the same bits.
+struct LanePath {
+    const raster::LanePath* raster;
+
+    /// Vertices [begin, end) of the object to the screen; begin a multiple of 64.
+    void (*place_vertices)(ObjectPass&, std::size_t begin, std::size_t end);
+
+    /// Illuminates vertices [begin, end), begin a multiple of 64. The largest finite channel.
+    float (*light_vertices)(ObjectPass&, std::size_t begin, std::size_t end);
+
+    /// Replaces the items of the band's pixels by records; walked polygons by tags.
+    void (*collect_visible)(raster::VisibleBand&, raster::VisibleItems&);
+
+    /// Sets up the attributes of records [0, count) by planes.
+    void (*set_up_planes)(const ObjectPass&, raster::AttributeRecords&);
+
+    /// Illuminates each pixel of the band that has a record, and stores it in the target. Returns
+    /// how many there were.
+    std::size_t (*shade_band)(const ObjectPass&, raster::VisibleBand&, ShadeScratch&,
+                              const Target&);
+};
+
+/// Those that this machine can run, the fastest first; never empty.
+std::span<const LanePath* const> lane_paths();
+
+}  // namespace scanlight::render

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "raster/attribute_records.h"
+#include "raster/bins.h"
+#include "raster/packed.h"
+#include "raster/polygon_streams.h"
+#include "raster/visible_items.h"
+#include "render/frame.h"
+#include "render/scene.h"
+#include "render/vertex_streams.h"
+
+namespace scanlight::render {
+
+/// One object on its way through the fast path: what its stages hand on, as plain arrays. Kept from
+/// one picture to the next for its memory.
+struct ObjectPass {
+    const Object* object = nullptr;
+    const Frame* frame = nullptr;
+    const Settings* settings = nullptr;
+    Placing placing;
+    VertexStreams vertices;
+    /// Gouraud: intensities of the vertices from the front and, if lit, from the back; and the
+    /// power of two by which they are divided when they are interpolated.
+    VectorStreams front, back;
+    float unit = 1.0f;
+    std::vector<std::int32_t> vertex_material;  // empty if there is one material only
+    raster::PolygonStreams polygons;
+    raster::Attributes attributes;
+    std::vector<raster::Bin> bins;  // by stretches of faces
+
+    const mesh::Mesh& mesh() const { return *object->mesh; }
+};
+
+/// Where the pixels of a picture go: floats, or bytes in an encoding.
+struct FloatTarget {
+    raster::Plane<raster::Rgba>* plane;
+};
+struct PackedTarget {
+    raster::Plane<raster::PackedPixel>* plane;
+    raster::Encoding encoding;
+};
+
+/// One thread's memory for shading a band.
+struct ShadeScratch {
+    raster::VisibleItems visible;
+    VectorStreams face_colors;              // flat: of each record
+    std::vector<std::int32_t> face_packed;  // the same as pixels
+};
+
+}  // namespace scanlight::render

@@ -1,0 +1,376 @@
+#include "render/renderer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <stdexcept>
+#include <string>
+
+#include "raster/workers.h"
+#include "render/gouraud.h"
+#include "render/walked.h"
+
+namespace scanlight::render {
+
+namespace {
+
+// Stretches of work: multiples of any vector's length.
+constexpr std::size_t vertices_a_piece = 8192;
+constexpr std::size_t faces_a_piece = 16384;
+
+using Clock = std::chrono::steady_clock;
+
+/// Seconds since `begin`, which becomes now.
+double lap(Clock::time_point& begin) {
+    const auto now = Clock::now();
+    return std::chrono::duration<double>(now - std::exchange(begin, now)).count();
+}
+
+const LanePath& path_named(std::string_view name) {
+    for (const LanePath* path : lane_paths()) {
+        if (name.empty() || path->raster->name == name) return *path;
+    }
+    throw std::invalid_argument("no instruction set \"" + std::string(name) + "\" on this machine");
+}
+
+/// What one thread needs to draw a band.
+struct BandMemory {
+    raster::VisibleBand band;
+    raster::BandScratch raster;
+    ShadeScratch shade;
+    WalkedPolygons walked;
+    raster::Survivors survivors;
+    std::vector<raster::FaceItem> items;
+    raster::PixelCounts pixels;
+    std::size_t shaded = 0;
+};
+
+/// A stretch of one object's vertices or faces.
+struct Piece {
+    ObjectPass* pass;
+    std::size_t begin;
+    std::size_t end;
+    std::size_t number;  // among those of the object
+};
+
+std::vector<Piece> pieces_of(std::vector<ObjectPass>& passes, std::size_t size, auto&& count_of) {
+    std::vector<Piece> pieces;
+    for (ObjectPass& pass : passes) {
+        const std::size_t count = count_of(pass);
+        for (std::size_t i = 0; i * size < count; ++i)
+            pieces.push_back({&pass, i * size, std::min(count, i * size + size), i});
+    }
+    return pieces;
+}
+
+bool is_lit_at_vertices(const Settings& settings) {
+    return settings.shading == Shading::gouraud;
+}
+
+raster::AttributeStream colors_stream(const std::vector<float>& front,
+                                      const std::vector<float>& back, float unit) {
+    return {front.data(), back.empty() ? front.data() : back.data(), 1.0f / unit, 1.0f / unit};
+}
+
+raster::AttributeStream stream_of_both_sides(const std::vector<float>& stream, float back_scale) {
+    return {stream.data(), stream.data(), 1.0f, back_scale};
+}
+
+/// What each shading interpolates: see the techniques.
+raster::Attributes attributes_of(const ObjectPass& pass) {
+    const mesh::Vertices& vertices = pass.mesh().vertices;
+    raster::Attributes a;
+    a.w = pass.vertices.w;
+    a.perspective_correct = pass.settings->perspective == Perspective::correct;
+    if (pass.settings->shading == Shading::gouraud) {
+        a.streams[0] = colors_stream(pass.front.x, pass.back.x, pass.unit);
+        a.streams[1] = colors_stream(pass.front.y, pass.back.y, pass.unit);
+        a.streams[2] = colors_stream(pass.front.z, pass.back.z, pass.unit);
+        a.count = 4;  // the last is the constant 1
+    }
+    if (pass.settings->shading == Shading::phong) {
+        a.streams[0] = stream_of_both_sides(pass.vertices.normals.x, -1.0f);
+        a.streams[1] = stream_of_both_sides(pass.vertices.normals.y, -1.0f);
+        a.streams[2] = stream_of_both_sides(pass.vertices.normals.z, -1.0f);
+        a.count = 3;
+        if (vertices.has_colors()) {
+            a.streams[3] = stream_of_both_sides(vertices.red, 1.0f);
+            a.streams[4] = stream_of_both_sides(vertices.green, 1.0f);
+            a.streams[5] = stream_of_both_sides(vertices.blue, 1.0f);
+            a.count = 7;
+        }
+    }
+    return a;
+}
+
+raster::PolygonStreams polygons_of(const ObjectPass& pass) {
+    const VertexStreams& v = pass.vertices;
+    return {v.x,
+            v.y,
+            v.z,
+            v.outside,
+            pass.mesh().corners,
+            pass.mesh().face_begin,
+            pass.placing.mirrored};
+}
+
+std::vector<std::int32_t> materials_of_vertices(const Object& object) {
+    if (object.materials.size() == 1) return {};
+    const auto materials = vertex_materials(*object.mesh);
+    std::vector<std::int32_t> result(materials.begin(), materials.end());
+    result.resize(result.size() + 64);  // whole vectors are read
+    return result;
+}
+
+raster::Viewport size_of(const Target& target) {
+    return std::visit(
+        [](const auto& t) {
+            return raster::Viewport{t.plane->width(), t.plane->height()};
+        },
+        target);
+}
+
+void fill_rows(const Target& target, raster::Rows rows, const raster::Rgba& background) {
+    const auto fill = [&](auto& plane, const auto& pixel) {
+        for (int y = rows.y_begin; y < rows.y_end; ++y)
+            std::ranges::fill(plane.row(y), pixel);
+    };
+    if (const auto* floats = std::get_if<FloatTarget>(&target)) {
+        fill(*floats->plane, background);
+    } else {
+        const auto& packed = std::get<PackedTarget>(target);
+        fill(*packed.plane, raster::packed_pixel(background, packed.encoding));
+    }
+}
+
+}  // namespace
+
+struct Renderer::Memory {
+    explicit Memory(const Execution& execution)
+        : path(path_named(execution.instructions)),
+          workers(execution.threads),
+          bands(static_cast<std::size_t>(workers.count())) {}
+
+    const LanePath& path;
+    raster::Workers workers;
+    std::vector<BandMemory> bands;  // one a thread
+    std::vector<ObjectPass> passes;
+};
+
+/// One picture on its way.
+class Renderer::Picture {
+public:
+    Picture(Memory& memory, const Scene& scene, const Settings& settings, const Target& target,
+            raster::Plane<raster::Depth>* depth)
+        : memory_(memory),
+          scene_(scene),
+          settings_(settings),
+          target_(target),
+          depth_(depth),
+          frame_(frame_of(scene, settings.distances, size_of(target))),
+          bands_{frame_.viewport.height} {}
+
+    DrawReport draw() {
+        DrawReport report;
+        auto time = Clock::now();
+        place_objects();
+        light_vertices();
+        report.seconds.vertices = lap(time);
+        fill_bins();
+        report.seconds.bins = lap(time);
+        draw_bands();
+        report.seconds.bands = lap(time);
+        report.counts = counts();
+        return report;
+    }
+
+private:
+    void place_objects() {
+        memory_.passes.resize(scene_.objects.size());
+        for (std::size_t i = 0; i < scene_.objects.size(); ++i)
+            begin_pass(scene_.objects[i], memory_.passes[i]);
+        for_each_piece(vertices_a_piece, vertex_count, [&](int, const Piece& piece) {
+            memory_.path.place_vertices(*piece.pass, piece.begin, piece.end);
+        });
+    }
+
+    void begin_pass(const Object& object, ObjectPass& pass) {
+        assert(object.materials.size() == object.mesh->materials.size());
+        pass.object = &object;
+        pass.frame = &frame_;
+        pass.settings = &settings_;
+        pass.placing = placing_of(object.world_from_object, frame_);
+        pass.vertices.resize(object.mesh->vertices.size(), settings_.shading != Shading::phong,
+                             settings_.shading != Shading::flat);
+        pass.polygons = polygons_of(pass);
+    }
+
+    void light_vertices() {
+        if (is_lit_at_vertices(settings_)) {
+            for (ObjectPass& pass : memory_.passes)
+                light_vertices_of(pass);
+        }
+        for (ObjectPass& pass : memory_.passes)
+            pass.attributes = attributes_of(pass);
+    }
+
+    void light_vertices_of(ObjectPass& pass) {
+        const std::size_t size = pass.vertices.w.size();
+        pass.vertex_material = materials_of_vertices(*pass.object);
+        pass.front.resize(size);
+        pass.back.resize(settings_.sides == Sides::two ? size : 0);
+        std::vector<float> largest(memory_.bands.size(), 0.0f);
+        const std::size_t count = pass.mesh().vertices.size();
+        const std::size_t pieces = (count + vertices_a_piece - 1) / vertices_a_piece;
+        memory_.workers.for_each(pieces, [&](int worker, std::size_t i) {
+            const std::size_t begin = i * vertices_a_piece;
+            float& most = largest[static_cast<std::size_t>(worker)];
+            most = std::max(most, memory_.path.light_vertices(
+                                      pass, begin, std::min(count, begin + vertices_a_piece)));
+        });
+        pass.unit = unit_for(*std::ranges::max_element(largest));
+    }
+
+    void fill_bins() {
+        for (ObjectPass& pass : memory_.passes)
+            pass.bins.resize((pass.mesh().face_count() + faces_a_piece - 1) / faces_a_piece);
+        const raster::CullRule rule{settings_.cull == Cull::front, settings_.cull == Cull::back};
+        for_each_piece(faces_a_piece, face_count, [&](int worker, const Piece& piece) {
+            ObjectPass& pass = *piece.pass;
+            raster::fill_bin(
+                pass.polygons, rule, piece.begin, piece.end, bands_,
+                memory_.path.raster->cull_faces,
+                [&](std::size_t face) { return clipped_face(pass, face); },
+                memory_.bands[static_cast<std::size_t>(worker)].survivors, pass.bins[piece.number]);
+        });
+    }
+
+    void draw_bands() {
+        for (BandMemory& band : memory_.bands) {
+            band.pixels = {};
+            band.shaded = 0;
+        }
+        memory_.workers.for_each(
+            static_cast<std::size_t>(bands_.count()), [&](int worker, std::size_t i) {
+                draw_band(memory_.bands[static_cast<std::size_t>(worker)], static_cast<int>(i));
+            });
+    }
+
+    void draw_band(BandMemory& memory, int number) {
+        const raster::Rows rows = bands_[number];
+        memory.band.clear(frame_.viewport.width, rows);
+        fill_rows(target_, rows, scene_.background);
+        for (std::size_t i = 0; i < memory_.passes.size(); ++i) {
+            if (i > 0) memory.band.forget_items();
+            see(memory_.passes[i], number, memory);
+            shade(memory_.passes[i], memory);
+        }
+        if (depth_ != nullptr) copy_depth(memory.band);
+    }
+
+    /// Finds out which polygon each pixel shows.
+    void see(const ObjectPass& pass, int number, BandMemory& memory) {
+        memory.items.clear();
+        // Where one side only is lit, it is seen from behind too.
+        const raster::FaceItem kept =
+            settings_.sides == Sides::two ? ~raster::FaceItem{0} : ~raster::back_flag;
+        for (const raster::Bin& bin : pass.bins) {
+            const std::size_t first = memory.items.size();
+            for (const raster::FaceItem item : bin.band(number))
+                memory.items.push_back(item & kept);
+            memory_.path.raster->draw_items(
+                pass.polygons, bin, std::span(memory.items).subspan(first),
+                static_cast<raster::Item>(first), memory.band, memory.raster, memory.pixels);
+        }
+    }
+
+    /// Gives each pixel its light.
+    void shade(const ObjectPass& pass, BandMemory& memory) {
+        if (memory.items.empty()) return;
+        raster::VisibleItems& visible = memory.shade.visible;
+        using enum raster::VisibleItems::Walked;
+        const int attributes = pass.attributes.count;
+        visible.clear(memory.items, attributes, attributes > 0 ? apart : like_others);
+        memory_.path.collect_visible(memory.band, visible);
+        memory_.path.set_up_planes(pass, visible.records);
+        memory.walked.record(pass, memory.band, visible);
+        memory.shaded += memory_.path.shade_band(pass, memory.band, memory.shade, target_);
+    }
+
+    void copy_depth(raster::VisibleBand& band) {
+        for (int y = band.rows().y_begin; y < band.rows().y_end; ++y)
+            std::copy_n(band.depth_row(y), band.width(), depth_->row(y).begin());
+    }
+
+    DrawCounts counts() const {
+        DrawCounts counts;
+        for (const ObjectPass& pass : memory_.passes) {
+            counts.polygons += pass.mesh().face_count();
+            for (const raster::Bin& bin : pass.bins) {
+                counts.outside += bin.fates.outside;
+                counts.culled += bin.fates.culled;
+                counts.drawn += bin.fates.drawn;
+            }
+        }
+        for (const BandMemory& band : memory_.bands) {
+            counts.spans += band.pixels.spans;
+            counts.pixels_tested += band.pixels.tested;
+            counts.pixels_passed += band.pixels.passed;
+            counts.pixels_shaded += band.shaded;
+        }
+        return counts;
+    }
+
+    static std::size_t vertex_count(const ObjectPass& pass) { return pass.mesh().vertices.size(); }
+    static std::size_t face_count(const ObjectPass& pass) { return pass.mesh().face_count(); }
+
+    template <class Count, class Work>
+    void for_each_piece(std::size_t size, Count count, Work&& work) {
+        const std::vector<Piece> pieces = pieces_of(memory_.passes, size, count);
+        memory_.workers.for_each(pieces.size(),
+                                 [&](int worker, std::size_t i) { work(worker, pieces[i]); });
+    }
+
+    Memory& memory_;
+    const Scene& scene_;
+    const Settings& settings_;
+    const Target& target_;
+    raster::Plane<raster::Depth>* depth_;
+    Frame frame_;
+    raster::Bands bands_;
+};
+
+std::vector<std::string_view> instruction_sets() {
+    std::vector<std::string_view> names;
+    for (const LanePath* path : lane_paths())
+        names.push_back(path->raster->name);
+    return names;
+}
+
+Renderer::Renderer(const Execution& execution) : memory_(std::make_unique<Memory>(execution)) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+int Renderer::threads() const {
+    return memory_->workers.count();
+}
+
+std::string_view Renderer::instructions() const {
+    return memory_->path.raster->name;
+}
+
+DrawReport Renderer::draw(const Scene& scene, const Settings& settings,
+                          raster::Plane<raster::Rgba>& color, raster::Plane<raster::Depth>* depth) {
+    const Target target = FloatTarget{&color};
+    return Picture(*memory_, scene, settings, target, depth).draw();
+}
+
+DrawReport Renderer::draw(const Scene& scene, const Settings& settings,
+                          raster::Plane<raster::PackedPixel>& color, raster::Encoding encoding,
+                          raster::Plane<raster::Depth>* depth) {
+    const Target target = PackedTarget{&color, encoding};
+    return Picture(*memory_, scene, settings, target, depth).draw();
+}
+
+}  // namespace scanlight::render

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "raster/project.h"
+#include "render/frame.h"
+#include "render/scene.h"
+
+namespace scanlight::render {
+
+/// How one object's vertices get into the world and onto the screen.
+struct Placing {
+    glm::dmat4 clip_from_object;
+    glm::dmat4 world_from_object;
+    glm::mat3 normals_from_object;
+    bool mirrored;  // turns front faces into clockwise ones
+};
+
+Placing placing_of(const glm::dmat4& world_from_object, const Frame& frame);
+
+/// Three streams of vectors.
+struct VectorStreams {
+    std::vector<float> x, y, z;
+
+    void resize(std::size_t n) {
+        x.resize(n);
+        y.resize(n);
+        z.resize(n);
+    }
+    glm::vec3 operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+};
+
+/// What is worked out of each vertex before anything is drawn: structure of arrays.
+struct VertexStreams {
+    std::vector<std::int32_t> x, y, z;  // on the screen; of those outside the view volume no use
+    std::vector<std::int32_t> outside;  // see `raster::PolygonStreams`
+    std::vector<float> w;               // clip space
+    VectorStreams points;               // world space; if wanted
+    VectorStreams normals;              // unit, world space; if wanted
+
+    /// For n vertices, and a vector's more.
+    void resize(std::size_t n, bool with_points, bool with_normals) {
+        constexpr std::size_t most_lanes = 64;
+        for (auto* stream : {&x, &y, &z, &outside})
+            stream->resize(n + most_lanes);
+        w.resize(n + most_lanes);
+        points.resize(with_points ? n + most_lanes : 0);
+        normals.resize(with_normals ? n + most_lanes : 0);
+    }
+};
+
+}  // namespace scanlight::render
