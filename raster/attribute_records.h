@@ -47,12 +47,12 @@ struct RecordStreams {
     }
 };
 
-/// The attributes of all that a band shows: a record for each visible triangle, and one for each
-/// span of a visible polygon that is walked.
+/// The attributes of all that a band has come to show: a record for each triangle with a plane, and
+/// one for each span of a polygon that is walked.
 struct AttributeRecords {
     std::array<RecordStreams, most_attributes> attributes;  // those beyond the count stay empty
     int attribute_count = 0;
-    std::vector<std::int32_t> face;  // FaceItem
+    std::vector<std::int32_t> face;  // FaceItem; with `walk_flag`, it is of one span only
     std::size_t count = 0;
     bool has_fractions = false;  // else they are all 0
 

@@ -63,7 +63,6 @@ public:
         FaceItem item = static_cast<FaceItem>(face) | (back ? back_flag : 0);
         if (corners.size() != 3 || !whole) item |= walk_flag;
         survivors.item[i] = static_cast<std::int32_t>(item);
-        if (!whole) keep(static_cast<FaceItem>(face), corners);
     }
 
 private:
@@ -71,12 +70,6 @@ private:
         const auto [top, bottom] = std::minmax_element(
             corners.begin(), corners.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
         return {first_centre(top->y), first_centre(bottom->y)};
-    }
-
-    void keep(FaceItem face, const std::vector<ScreenVertex<0>>& corners) {
-        bin_.clipped_faces.push_back(face);
-        bin_.clipped_corners.insert(bin_.clipped_corners.end(), corners.begin(), corners.end());
-        bin_.clipped_begin.push_back(bin_.clipped_corners.size());
     }
 
     const PolygonStreams& streams_;
@@ -110,22 +103,11 @@ void sort_into_bands(const Survivors& survivors, const Bands& bands, Bin& bin) {
 
 }  // namespace
 
-std::span<const ScreenVertex<0>> Bin::clipped(std::size_t face) const {
-    const auto found = std::lower_bound(clipped_faces.begin(), clipped_faces.end(), face);
-    if (found == clipped_faces.end() || *found != face) return {};
-    const auto k = static_cast<std::size_t>(found - clipped_faces.begin());
-    return std::span(clipped_corners)
-        .subspan(clipped_begin[k], clipped_begin[k + 1] - clipped_begin[k]);
-}
-
 void fill_bin(const PolygonStreams& streams, CullRule rule, std::size_t begin, std::size_t end,
               const Bands& bands, CullFaces cull, const ClipFace& clip_face, Survivors& scratch,
               Bin& bin) {
     constexpr std::size_t most_lanes = 64;
     bin.fates = {};
-    bin.clipped_faces.clear();
-    bin.clipped_begin.assign(1, 0);
-    bin.clipped_corners.clear();
     scratch.reserve(end - begin + most_lanes);
     cull(streams, rule, begin, end, scratch, bin.fates);
     Sorter sorter(streams, rule, clip_face, bin);

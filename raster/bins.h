@@ -28,18 +28,12 @@ struct Bands {
 struct Bin {
     std::vector<FaceItem> items;
     std::vector<std::size_t> begin;  // bands + 1 of them, into `items`
-    /// Corners of those that were clipped, by ascending face.
-    std::vector<FaceItem> clipped_faces;
-    std::vector<std::size_t> clipped_begin{0};
-    std::vector<ScreenVertex<0>> clipped_corners;
     FateCounts fates;
 
     std::span<const FaceItem> band(int i) const {
         const auto k = static_cast<std::size_t>(i);
         return std::span(items).subspan(begin[k], begin[k + 1] - begin[k]);
     }
-    /// Empty if the face was not clipped.
-    std::span<const ScreenVertex<0>> clipped(std::size_t face) const;
 };
 
 /// The part of a face inside the view volume, on the screen; empty when all is outside.

@@ -1,21 +1,23 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string_view>
-#include <vector>
 
+#include "raster/attribute_records.h"
 #include "raster/bins.h"
-#include "raster/fill.h"
 #include "raster/polygon_streams.h"
+#include "raster/ramp.h"
 #include "raster/visible_band.h"
 
 namespace scanlight::raster {
 
-/// One thread's scratch memory for drawing bands.
-struct BandScratch {
-    PolygonFiller<0> filler;
-    std::vector<ScreenVertex<0>> corners;
+/// Draws a polygon that is no small triangle with a plane: by the walk down its edges.
+/// `has_plane`: all its spans are of one record.
+struct Walker {
+    virtual ~Walker() = default;
+    virtual void draw(FaceItem face, bool has_plane) = 0;
 };
 
 /// The vector code of this room for one instruction set. All sets give the same bits.
@@ -25,10 +27,15 @@ struct LanePath {
 
     CullFaces cull_faces;
 
-    /// Draws polygons into a band, depth and items only, numbered from `first` on. A triangle found
-    /// too thin for a plane gets `walk_flag`.
-    void (*draw_items)(const PolygonStreams&, const Bin&, std::span<FaceItem> items, Item first,
-                       VisibleBand&, BandScratch&, PixelCounts&);
+    /// Draws polygons into a band: depth, and records of those that come to be seen. Only the faces
+    /// of the records are written, not their attributes.
+    void (*draw_items)(const PolygonStreams&, std::span<const FaceItem> items, VisibleBand&,
+                       AttributeRecords&, Walker&);
+
+    /// Draws pixels [x_begin, x_end) of a row, their depth by a ramp that begins at x_begin; how
+    /// many came to be seen.
+    std::size_t (*draw_span)(Depth* depth, Item* items, int x_begin, int x_end, const Ramp& ramp,
+                             Item item);
 };
 
 /// Those that this machine can run, the fastest first; never empty.

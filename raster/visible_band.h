@@ -10,12 +10,26 @@
 
 namespace scanlight::raster {
 
-/// A polygon's number in the order of drawing.
+/// The number of a record: of what a pixel shows, see `AttributeRecords`.
 using Item = std::int32_t;
 inline constexpr Item no_item = -1;
 
+/// How much a pass had to do.
+struct PixelCounts {
+    std::size_t spans = 0;
+    std::size_t tested = 0;
+    std::size_t passed = 0;
+
+    PixelCounts& operator+=(const PixelCounts& other) {
+        spans += other.spans;
+        tested += other.tested;
+        passed += other.passed;
+        return *this;
+    }
+};
+
 /// What some rows of the picture show, as one thread sees them: at each pixel the depth of the
-/// nearest surface and the item it belongs to. Small enough to stay in the cache of one core.
+/// nearest surface and the record it belongs to. Small enough to stay in the cache of one core.
 /// Each row may be read and written `overrun` pixels beyond its end, by whole vectors.
 class VisibleBand {
 public:
@@ -45,6 +59,9 @@ public:
     Rows rows() const { return rows_; }
     Depth* depth_row(int y) { return memory_.data() + start(y); }
     Item* item_row(int y) { return memory_.data() + items_begin_ + start(y); }
+    /// Of all that was drawn into it, over its whole life.
+    PixelCounts& counts() { return counts_; }
+    const PixelCounts& counts() const { return counts_; }
 
 private:
     std::size_t start(int y) const { return stride_ * static_cast<std::size_t>(y - rows_.y_begin); }
@@ -54,20 +71,7 @@ private:
     std::size_t stride_ = 0;
     std::size_t items_begin_ = 0;
     std::vector<std::int32_t> memory_;
-};
-
-/// How much a pass had to do.
-struct PixelCounts {
-    std::size_t spans = 0;
-    std::size_t tested = 0;
-    std::size_t passed = 0;
-
-    PixelCounts& operator+=(const PixelCounts& other) {
-        spans += other.spans;
-        tested += other.tested;
-        passed += other.passed;
-        return *this;
-    }
+    PixelCounts counts_;
 };
 
 }  // namespace scanlight::raster

@@ -21,10 +21,7 @@ struct LanePath {
     /// Illuminates vertices [begin, end), begin a multiple of 64. The largest finite channel.
     float (*light_vertices)(ObjectPass&, std::size_t begin, std::size_t end);
 
-    /// Replaces the items of the band's pixels by records; walked polygons by tags.
-    void (*collect_visible)(raster::VisibleBand&, raster::VisibleItems&);
-
-    /// Sets up the attributes of records [0, count) by planes.
+    /// Sets up the attributes of those records that are not of spans.
     void (*set_up_planes)(const ObjectPass&, raster::AttributeRecords&);
 
     /// Illuminates each pixel of the band that has a record, and stores it in the target. Returns

@@ -8,7 +8,6 @@
 #include "raster/bins.h"
 #include "raster/packed.h"
 #include "raster/polygon_streams.h"
-#include "raster/visible_items.h"
 #include "render/frame.h"
 #include "render/scene.h"
 #include "render/vertex_streams.h"
@@ -46,7 +45,7 @@ struct PackedTarget {
 
 /// One thread's memory for shading a band.
 struct ShadeScratch {
-    raster::VisibleItems visible;
+    raster::AttributeRecords records;
     VectorStreams face_colors;              // flat: of each record
     std::vector<std::int32_t> face_packed;  // the same as pixels
 };

@@ -8,7 +8,7 @@
 
 #include "raster/workers.h"
 #include "render/gouraud.h"
-#include "render/walked.h"
+#include "render/walker.h"
 
 namespace scanlight::render {
 
@@ -36,12 +36,10 @@ const LanePath& path_named(std::string_view name) {
 /// What one thread needs to draw a band.
 struct BandMemory {
     raster::VisibleBand band;
-    raster::BandScratch raster;
     ShadeScratch shade;
-    WalkedPolygons walked;
+    WalkMemories walks;
     raster::Survivors survivors;
     std::vector<raster::FaceItem> items;
-    raster::PixelCounts pixels;
     std::size_t shaded = 0;
 };
 
@@ -247,7 +245,7 @@ private:
 
     void draw_bands() {
         for (BandMemory& band : memory_.bands) {
-            band.pixels = {};
+            band.band.counts() = {};
             band.shaded = 0;
         }
         memory_.workers.for_each(
@@ -268,32 +266,31 @@ private:
         if (depth_ != nullptr) copy_depth(memory.band);
     }
 
-    /// Finds out which polygon each pixel shows.
+    /// Finds out what each pixel shows.
     void see(const ObjectPass& pass, int number, BandMemory& memory) {
-        memory.items.clear();
-        // Where one side only is lit, it is seen from behind too.
-        const raster::FaceItem kept =
-            settings_.sides == Sides::two ? ~raster::FaceItem{0} : ~raster::back_flag;
+        raster::AttributeRecords& records = memory.shade.records;
+        records.clear(pass.attributes.count);
+        Walker walker(pass, *memory_.path.raster, memory.walks, memory.band, records);
         for (const raster::Bin& bin : pass.bins) {
-            const std::size_t first = memory.items.size();
-            for (const raster::FaceItem item : bin.band(number))
-                memory.items.push_back(item & kept);
-            memory_.path.raster->draw_items(
-                pass.polygons, bin, std::span(memory.items).subspan(first),
-                static_cast<raster::Item>(first), memory.band, memory.raster, memory.pixels);
+            memory_.path.raster->draw_items(pass.polygons, lit_sides(bin.band(number), memory),
+                                            memory.band, records, walker);
         }
+    }
+
+    /// Where only fronts are lit, they are seen from behind too.
+    std::span<const raster::FaceItem> lit_sides(std::span<const raster::FaceItem> items,
+                                                BandMemory& memory) const {
+        if (settings_.sides == Sides::two) return items;
+        memory.items.assign(items.begin(), items.end());
+        for (raster::FaceItem& item : memory.items)
+            item &= ~raster::back_flag;
+        return memory.items;
     }
 
     /// Gives each pixel its light.
     void shade(const ObjectPass& pass, BandMemory& memory) {
-        if (memory.items.empty()) return;
-        raster::VisibleItems& visible = memory.shade.visible;
-        using enum raster::VisibleItems::Walked;
-        const int attributes = pass.attributes.count;
-        visible.clear(memory.items, attributes, attributes > 0 ? apart : like_others);
-        memory_.path.collect_visible(memory.band, visible);
-        memory_.path.set_up_planes(pass, visible.records);
-        memory.walked.record(pass, memory.band, visible);
+        if (memory.shade.records.count == 0) return;
+        memory_.path.set_up_planes(pass, memory.shade.records);
         memory.shaded += memory_.path.shade_band(pass, memory.band, memory.shade, target_);
     }
 
@@ -312,10 +309,10 @@ private:
                 counts.drawn += bin.fates.drawn;
             }
         }
-        for (const BandMemory& band : memory_.bands) {
-            counts.spans += band.pixels.spans;
-            counts.pixels_tested += band.pixels.tested;
-            counts.pixels_passed += band.pixels.passed;
+        for (BandMemory& band : memory_.bands) {
+            counts.spans += band.band.counts().spans;
+            counts.pixels_tested += band.band.counts().tested;
+            counts.pixels_passed += band.band.counts().passed;
             counts.pixels_shaded += band.shaded;
         }
         return counts;

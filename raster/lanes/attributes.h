@@ -25,16 +25,21 @@ public:
     PlaneRecorder(const PolygonStreams& streams, const Attributes& attributes)
         : streams_(streams), attributes_(attributes) {}
 
-    /// Records [begin, end) from their faces.
-    void set_up(AttributeRecords& records, std::size_t begin, std::size_t end) const {
-        for (std::size_t i = begin; i < end; i += lane_count)
-            set_up_lanes(records, i, static_cast<int>(std::min<std::size_t>(lane_count, end - i)));
+    /// All records that are not of spans, from their faces.
+    void set_up(AttributeRecords& records) const {
+        if (records.attribute_count == 0) return;
+        for (std::size_t i = 0; i < records.count; i += lane_count) {
+            const std::size_t n = std::min<std::size_t>(lane_count, records.count - i);
+            set_up_lanes(records, i, static_cast<int>(n));
+        }
     }
 
 private:
     /// Lanes beyond the n-th take face 0, and write behind the last record.
-    void set_up_lanes(AttributeRecords& records, std::size_t i, int n) const {
+    HWY_FLATTEN void set_up_lanes(AttributeRecords& records, std::size_t i, int n) const {
         const Ints item = select(first_lanes(n), load(records.face.data() + i), Ints(0));
+        const Mask planar = (item & Ints(static_cast<std::int32_t>(walk_flag))) == Ints(0);
+        if (!any(planar)) return;
         const Mask back = item < Ints(0);
         const TriangleLanes v =
             triangles_at(streams_, item & Ints(static_cast<std::int32_t>(face_mask)));
@@ -49,7 +54,7 @@ private:
             const AttributePlaneLanes plane = attribute_plane(
                 setup, corner(stream, v.a, back, scales.a), corner(stream, v.b, back, scales.b),
                 corner(stream, v.c, back, scales.c));
-            write(plane, column, row, records.attributes[static_cast<std::size_t>(k)], i);
+            write(planar, plane, column, row, records.attributes[static_cast<std::size_t>(k)], i);
         }
     }
 
@@ -82,13 +87,14 @@ private:
         return attribute_lanes(value * scale);
     }
 
-    static void write(const AttributePlaneLanes& plane, Ints column, Ints row,
+    static void write(Mask where, const AttributePlaneLanes& plane, Ints column, Ints row,
                       RecordStreams& streams, std::size_t i) {
-        store(plane.origin - column * plane.dx - row * plane.dy, streams.whole.data() + i);
-        store(plane.dx, streams.dx.data() + i);
-        store(plane.dy, streams.dy.data() + i);
-        store(Ints(0), streams.fraction.data() + i);
-        store(Ints(0), streams.fraction_dx.data() + i);
+        store_where(where, plane.origin - column * plane.dx - row * plane.dy,
+                    streams.whole.data() + i);
+        store_where(where, plane.dx, streams.dx.data() + i);
+        store_where(where, plane.dy, streams.dy.data() + i);
+        store_where(where, Ints(0), streams.fraction.data() + i);
+        store_where(where, Ints(0), streams.fraction_dx.data() + i);
     }
 
     const PolygonStreams& streams_;

@@ -118,12 +118,15 @@ public:
         depth_dy_ = plane.dy;
     }
 
-    void draw(PixelCounts& counts) const {
+    PixelCounts draw() const {
+        PixelCounts counts;
         for (int x = x_begin_; x < x_end_; x += lane_count)
             draw_column(x, counts);
+        return counts;
     }
 
 private:
+    /// A vector wide.
     void draw_column(int x, PixelCounts& counts) const {
         const int right = x - x_begin_;
         Ints edge[3];

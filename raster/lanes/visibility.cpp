@@ -11,27 +11,35 @@ void cull_faces(const PolygonStreams& streams, CullRule rule, std::size_t begin,
     TriangleCuller(streams, rule).cull(begin, end, survivors, counts);
 }
 
-/// Draws the polygons of one bin into one band, in their order.
+/// Draws polygons into one band, in their order.
 class BandPainter {
 public:
-    BandPainter(const PolygonStreams& streams, const Bin& bin, VisibleBand& band,
-                BandScratch& scratch, PixelCounts& counts)
-        : streams_(streams), bin_(bin), band_(band), scratch_(scratch), counts_(counts) {}
+    BandPainter(const PolygonStreams& streams, VisibleBand& band, AttributeRecords& records,
+                Walker& walker)
+        : streams_(streams), band_(band), records_(records), walker_(walker) {}
 
-    void draw(std::span<FaceItem> items, Item first) {
+    void draw(std::span<const FaceItem> items) {
         for (std::size_t i = 0; i < items.size(); i += lane_count) {
             const std::size_t n = std::min<std::size_t>(lane_count, items.size() - i);
-            draw_vector(items.subspan(i, n), first + static_cast<Item>(i));
+            records_.reserve(records_.count + n);
+            draw_vector(items.subspan(i, n));
         }
     }
 
 private:
-    void draw_vector(std::span<FaceItem> items, Item first) {
-        const Ints faces = faces_of(items);
+    HWY_FLATTEN void draw_vector(std::span<const FaceItem> items) {
         PreparedTriangles prepared;
-        prepare(streams_, triangles_at(streams_, faces), prepared);
+        prepare(streams_, triangles_at(streams_, faces_of(items)), prepared);
         for (std::size_t i = 0; i < items.size(); ++i) {
-            draw_one(prepared, static_cast<int>(i), items[i], first + static_cast<Item>(i));
+            const auto lane = static_cast<int>(i);
+            const bool is_triangle = (items[i] & walk_flag) == 0;
+            const bool has_plane = is_triangle && (prepared.planar >> lane & 1) != 0;
+            const bool is_small = (prepared.small >> lane & 1) != 0;
+            if (has_plane && is_small) {
+                draw_small(prepared, lane, items[i]);
+            } else {
+                walker_.draw(items[i], has_plane);
+            }
         }
     }
 
@@ -43,52 +51,35 @@ private:
         return load(faces);
     }
 
-    void draw_one(const PreparedTriangles& prepared, int lane, FaceItem& face, Item item) {
-        const bool is_planar = (prepared.planar >> lane & 1) != 0;
-        const bool is_small = (prepared.small >> lane & 1) != 0;
-        if ((face & walk_flag) == 0 && !is_planar) face |= walk_flag;
-        if ((face & walk_flag) == 0 && is_small) {
-            SmallTriangle(prepared, lane, item, band_).draw(counts_);
-        } else {
-            walk(face & face_mask, item);
-        }
-    }
-
-    void walk(std::size_t face, Item item) {
-        const auto emit = [&](const Span<0>& span) {
-            ++counts_.spans;
-            counts_.tested += static_cast<std::size_t>(span.x_end - span.x_begin);
-            counts_.passed += draw_span(band_.depth_row(span.y), band_.item_row(span.y),
-                                        span.x_begin, span.x_end, span.ramps.depth, item);
-        };
-        scratch_.filler.fill(corners_of(face), Interpolation::planar, emit, NoObserver{},
-                             band_.rows());
-    }
-
-    std::span<const ScreenVertex<0>> corners_of(std::size_t face) {
-        const auto clipped = bin_.clipped(face);
-        if (!clipped.empty()) return clipped;
-        scratch_.corners.clear();
-        for (const std::uint32_t v : streams_.face(face))
-            scratch_.corners.push_back(streams_.corner(v));
-        return scratch_.corners;
+    void draw_small(const PreparedTriangles& prepared, int lane, FaceItem face) {
+        const auto record = static_cast<Item>(records_.count);
+        const PixelCounts pixels = SmallTriangle(prepared, lane, record, band_).draw();
+        band_.counts() += pixels;
+        // Written in any case, it counts only if the triangle is seen somewhere.
+        records_.face[records_.count] = static_cast<std::int32_t>(face);
+        records_.count += pixels.passed > 0 ? 1 : 0;
     }
 
     const PolygonStreams& streams_;
-    const Bin& bin_;
     VisibleBand& band_;
-    BandScratch& scratch_;
-    PixelCounts& counts_;
+    AttributeRecords& records_;
+    Walker& walker_;
 };
 
-void draw_items(const PolygonStreams& streams, const Bin& bin, std::span<FaceItem> items,
-                Item first, VisibleBand& band, BandScratch& scratch, PixelCounts& counts) {
-    BandPainter(streams, bin, band, scratch, counts).draw(items, first);
+void draw_items(const PolygonStreams& streams, std::span<const FaceItem> items, VisibleBand& band,
+                AttributeRecords& records, Walker& walker) {
+    BandPainter(streams, band, records, walker).draw(items);
+}
+
+HWY_FLATTEN std::size_t draw_one_span(Depth* depth, Item* items, int x_begin, int x_end,
+                                      const Ramp& ramp, Item item) {
+    return draw_span(depth, items, x_begin, x_end, ramp, item);
 }
 
 }  // namespace
 
 extern const LanePath lane_path;
-const LanePath lane_path{hwy::TargetName(HWY_TARGET), lane_count, cull_faces, draw_items};
+const LanePath lane_path{hwy::TargetName(HWY_TARGET), lane_count, cull_faces, draw_items,
+                         draw_one_span};
 
 }  // namespace scanlight::raster::HWY_NAMESPACE

@@ -1,6 +1,5 @@
 #include "render/lane_path.h"
 
-#include "raster/lanes/collect.h"
 #include "render/lanes/light_vertices.h"
 #include "render/lanes/shade.h"
 #include "render/lanes/vertices.h"
@@ -27,13 +26,13 @@ float light_vertices(ObjectPass& pass, std::size_t begin, std::size_t end) {
 }
 
 void set_up_planes(const ObjectPass& pass, raster::AttributeRecords& records) {
-    PlaneRecorder(pass.polygons, pass.attributes).set_up(records, 0, records.count);
+    PlaneRecorder(pass.polygons, pass.attributes).set_up(records);
 }
 
 template <class Pixels>
 std::size_t shade_into(const ObjectPass& pass, raster::VisibleBand& band, ShadeScratch& scratch,
                        const Pixels& to) {
-    const auto& records = scratch.visible.records;
+    const auto& records = scratch.records;
     switch (pass.settings->shading) {
         case Shading::flat:
             return shade_pixels(FlatLanes(pass, scratch), records, band, to);
@@ -65,7 +64,7 @@ std::size_t shade_band(const ObjectPass& pass, raster::VisibleBand& band, ShadeS
 }  // namespace
 
 extern const LanePath lane_path;
-const LanePath lane_path{&raster::HWY_NAMESPACE::lane_path,      place_vertices, light_vertices,
-                         raster::HWY_NAMESPACE::collect_visible, set_up_planes,  shade_band};
+const LanePath lane_path{&raster::HWY_NAMESPACE::lane_path, place_vertices, light_vertices,
+                         set_up_planes, shade_band};
 
 }  // namespace scanlight::render::HWY_NAMESPACE

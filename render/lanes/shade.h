@@ -113,7 +113,7 @@ public:
 
     template <class Pixels>
     void set_up() {
-        const std::size_t count = scratch_.visible.records.count;
+        const std::size_t count = scratch_.records.count;
         scratch_.face_colors.resize(std::max(scratch_.face_colors.x.size(), count + lane_count));
         if (scratch_.face_packed.size() < count + lane_count)
             scratch_.face_packed.resize(count + lane_count);
@@ -145,7 +145,7 @@ public:
 private:
     Ints faces_at(std::size_t i, std::size_t count) const {
         const int n = static_cast<int>(std::min<std::size_t>(lane_count, count - i));
-        return select(first_lanes(n), load(scratch_.visible.records.face.data() + i), Ints(0));
+        return select(first_lanes(n), load(scratch_.records.face.data() + i), Ints(0));
     }
 
     template <class Model>
@@ -214,7 +214,7 @@ inline ColorLanes undivided_lanes(const ColorLanes& a_q, Floats q) {
 class GouraudLanes {
 public:
     GouraudLanes(const ObjectPass& pass, ShadeScratch& scratch)
-        : pass_(pass), records_(scratch.visible.records) {}
+        : pass_(pass), records_(scratch.records) {}
 
     template <class Pixels>
     void set_up() {}
@@ -237,7 +237,7 @@ template <class Model, Paint paint>
 class PhongLanes {
 public:
     PhongLanes(const ObjectPass& pass, ShadeScratch& scratch, const Model& model)
-        : pass_(pass), records_(scratch.visible.records), model_(model) {}
+        : pass_(pass), records_(scratch.records), model_(model) {}
 
     template <class Pixels>
     void set_up() {}
@@ -309,8 +309,8 @@ inline Ints with_neighbours(Ints record, Mask shown) {
 
 /// Every vector of pixels of the band that shows something.
 template <class Technique, class Pixels>
-std::size_t shade_pixels(Technique technique, const raster::AttributeRecords& records,
-                         raster::VisibleBand& band, const Pixels& to) {
+HWY_FLATTEN std::size_t shade_pixels(Technique technique, const raster::AttributeRecords& records,
+                                     raster::VisibleBand& band, const Pixels& to) {
     technique.template set_up<Pixels>();
     std::size_t shaded = 0;
     for (int y = band.rows().y_begin; y < band.rows().y_end; ++y) {

@@ -1,0 +1,141 @@
+#include "render/walker.h"
+
+#include <cassert>
+
+#include "raster/clip.h"
+#include "raster/project.h"
+#include "render/transform.h"
+
+namespace scanlight::render {
+
+namespace {
+
+template <int N>
+std::vector<raster::ClipVertex<N>> gathered(const ObjectPass& pass, raster::FaceItem item) {
+    std::vector<raster::ClipVertex<N>> polygon;
+    for (const std::uint32_t vertex : pass.mesh().face(item & raster::face_mask)) {
+        auto& corner = polygon.emplace_back();
+        corner.position = clip_position(pass, vertex);
+        for (std::size_t k = 0; k < N; ++k)
+            corner.attributes[k] = pass.attributes.streams[k].at(vertex, item);
+    }
+    return polygon;
+}
+
+template <int N>
+std::vector<raster::ScreenVertex<N>> clipped(const ObjectPass& pass, raster::FaceItem item) {
+    const auto polygon = raster::clip(gathered<N>(pass, item));
+    return pass.attributes.perspective_correct
+               ? raster::project_correct(polygon, pass.frame->viewport)
+               : raster::project_affine(polygon, pass.frame->viewport);
+}
+
+bool is_inside(const ObjectPass& pass, std::span<const std::uint32_t> vertices) {
+    std::int32_t outside = 0;
+    for (const std::uint32_t v : vertices)
+        outside |= pass.polygons.outside[v];
+    return outside == 0;
+}
+
+/// Corners that the vertex stage has put on the screen, with their attributes as `project_correct`
+/// and `project_affine` scale them.
+template <int N>
+void gather_on_screen(const ObjectPass& pass, raster::FaceItem item,
+                      std::span<const std::uint32_t> vertices,
+                      std::vector<raster::ScreenVertex<N>>& corners) {
+    const auto& attributes = pass.attributes;
+    float w_min = attributes.w[vertices.front()];
+    for (const std::uint32_t v : vertices)
+        w_min = std::min(w_min, attributes.w[v]);
+    corners.clear();
+    for (const std::uint32_t v : vertices) {
+        const auto& p = pass.polygons;
+        auto& corner = corners.emplace_back(raster::ScreenVertex<N>{p.x[v], p.y[v], p.z[v], {}});
+        const float scale = attributes.perspective_correct ? w_min / attributes.w[v] : 1.0f;
+        for (std::size_t k = 0; k < N; ++k)
+            corner.attributes[k] =
+                raster::attribute_from_float(attributes.streams[k].at(v, item) * scale);
+    }
+}
+
+template <int N>
+void gather_corners(const ObjectPass& pass, raster::FaceItem item,
+                    std::vector<raster::ScreenVertex<N>>& corners) {
+    const auto vertices = pass.mesh().face(item & raster::face_mask);
+    if (is_inside(pass, vertices)) {
+        gather_on_screen(pass, item, vertices, corners);
+    } else {
+        corners = clipped<N>(pass, item);
+    }
+}
+
+}  // namespace
+
+glm::vec4 clip_position(const ObjectPass& pass, std::uint32_t vertex) {
+    const glm::dvec3 position(pass.mesh().vertices.position(vertex));
+    return glm::vec4(transformed_point(pass.placing.clip_from_object, position));
+}
+
+std::vector<raster::ScreenVertex<0>> clipped_face(const ObjectPass& pass, std::size_t face) {
+    return clipped<0>(pass, static_cast<raster::FaceItem>(face));
+}
+
+void Walker::draw(raster::FaceItem face, bool has_plane) {
+    if (has_plane) return draw_as_one(face);
+    switch (pass_.attributes.count) {
+        case 0:
+            return draw_as_one(face);
+        case 3:
+            return draw_spans<3>(face);
+        case 4:
+            return draw_spans<4>(face);
+        case 7:
+            return draw_spans<7>(face);
+        default:
+            assert(false && "no technique has so many attributes");
+    }
+}
+
+/// How many pixels of the span come to be seen, as those of the record to come.
+template <int N>
+std::size_t Walker::draw(const raster::Span<N>& span) {
+    const std::size_t passed =
+        path_.draw_span(band_.depth_row(span.y), band_.item_row(span.y), span.x_begin, span.x_end,
+                        span.ramps.depth, static_cast<raster::Item>(records_.count));
+    band_.counts() += {1, static_cast<std::size_t>(span.x_end - span.x_begin), passed};
+    return passed;
+}
+
+/// All spans are of one record, whose attributes are set up later.
+void Walker::draw_as_one(raster::FaceItem face) {
+    auto& [filler, corners] = std::get<WalkMemory<0>>(memories_);
+    gather_corners(pass_, face, corners);
+    records_.reserve(records_.count + 1);
+    std::size_t passed = 0;
+    filler.fill(
+        corners, raster::Interpolation::planar,
+        [&](const raster::Span<0>& span) { passed += draw(span); }, raster::NoObserver{},
+        band_.rows());
+    records_.face[records_.count] = static_cast<std::int32_t>(face);
+    if (passed > 0) ++records_.count;
+}
+
+/// Each span has a record of its own.
+template <int N>
+void Walker::draw_spans(raster::FaceItem face) {
+    auto& [filler, corners] = std::get<WalkMemory<N>>(memories_);
+    gather_corners(pass_, face, corners);
+    const auto emit = [&](const raster::Span<N>& span) {
+        if (draw(span) == 0) return;
+        records_.reserve(records_.count + 1);
+        for (std::size_t k = 0; k < N; ++k) {
+            set_record(records_.attributes[k], records_.count, span.ramps.attributes[k],
+                       span.x_begin);
+        }
+        records_.face[records_.count++] = static_cast<std::int32_t>(face | raster::walk_flag);
+        records_.has_fractions = true;
+    };
+    filler.fill(corners, raster::Interpolation::planar, emit, raster::NoObserver{}, band_.rows());
+}
+
+}  // namespace scanlight::render

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <tuple>
+#include <vector>
+
+#include "raster/fill.h"
+#include "raster/lane_path.h"
+#include "render/object_pass.h"
+
+namespace scanlight::render {
+
+/// A vertex in clip space, by the same steps as those of the vertex stage.
+glm::vec4 clip_position(const ObjectPass& pass, std::uint32_t vertex);
+
+/// The part of a face inside the view volume, on the screen, without attributes.
+std::vector<raster::ScreenVertex<0>> clipped_face(const ObjectPass& pass, std::size_t face);
+
+/// Memory that a walker keeps from one polygon to the next.
+template <int N>
+struct WalkMemory {
+    raster::PolygonFiller<N> filler;
+    std::vector<raster::ScreenVertex<N>> corners;
+};
+using WalkMemories = std::tuple<WalkMemory<0>, WalkMemory<3>, WalkMemory<4>, WalkMemory<7>>;
+
+/// The textbook's way within the fast path: polygons go down their edges, span by span. n-gons,
+/// clipped polygons and slivers interpolate their attributes so too; large triangles only find
+/// their spans.
+class Walker : public raster::Walker {
+public:
+    Walker(const ObjectPass& pass, const raster::LanePath& path, WalkMemories& memories,
+           raster::VisibleBand& band, raster::AttributeRecords& records)
+        : pass_(pass), path_(path), memories_(memories), band_(band), records_(records) {}
+
+    void draw(raster::FaceItem face, bool has_plane) override;
+
+private:
+    template <int N>
+    void draw_spans(raster::FaceItem face);
+    template <int N>
+    std::size_t draw(const raster::Span<N>& span);
+    void draw_as_one(raster::FaceItem face);
+
+    const ObjectPass& pass_;
+    const raster::LanePath& path_;
+    WalkMemories& memories_;
+    raster::VisibleBand& band_;
+    raster::AttributeRecords& records_;
+};
+
+}  // namespace scanlight::render
