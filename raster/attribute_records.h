@@ -36,22 +36,18 @@ struct Attributes {
 };
 
 /// A number over one row of one polygon, or over all of a triangle: at the centre of pixel (x, y)
-///     (whole + x dx + y dy) + (fraction + x fraction_dx) / 2^16, rounded,
+///     (whole + x dx + y dy) + (fraction + x fraction_dx) / 2^16, rounded down,
 /// modulo 2^32: exactly what `Planar` and `Bilinear` come to there by repeated addition.
-struct RecordStreams {
-    std::vector<std::int32_t> whole, dx, dy, fraction, fraction_dx;
-
-    void resize(std::size_t n) {
-        for (auto* stream : {&whole, &dx, &dy, &fraction, &fraction_dx})
-            stream->resize(n);
-    }
+struct AttributeRecord {
+    std::int32_t whole, dx, dy, fraction, fraction_dx;
 };
+inline constexpr std::size_t record_fields = sizeof(AttributeRecord) / sizeof(std::int32_t);
 
 /// The attributes of all that a band has come to show: a record for each triangle with a plane, and
 /// one for each span of a polygon that is walked.
 struct AttributeRecords {
-    std::array<RecordStreams, most_attributes> attributes;  // those beyond the count stay empty
     int attribute_count = 0;
+    std::vector<AttributeRecord> attributes;  // attribute_count for each record, one after another
     std::vector<std::int32_t> face;  // FaceItem; with `walk_flag`, it is of one span only
     std::size_t count = 0;
     bool has_fractions = false;  // else they are all 0
@@ -61,8 +57,7 @@ struct AttributeRecords {
         count = 0;
         has_fractions = false;
         attribute_count = attributes_each;
-        for (int k = 0; k < attribute_count; ++k)
-            attributes[static_cast<std::size_t>(k)].resize(face.size());
+        attributes.resize(face.size() * static_cast<std::size_t>(attribute_count));
     }
 
     /// Room for n records, and a vector more.
@@ -70,12 +65,16 @@ struct AttributeRecords {
         constexpr std::size_t most_lanes = 64;
         if (face.size() >= n + most_lanes) return;
         face.resize(2 * n + most_lanes);
-        for (int k = 0; k < attribute_count; ++k)
-            attributes[static_cast<std::size_t>(k)].resize(face.size());
+        attributes.resize(face.size() * static_cast<std::size_t>(attribute_count));
+    }
+
+    std::span<AttributeRecord> of(std::size_t record) {
+        const auto n = static_cast<std::size_t>(attribute_count);
+        return std::span(attributes).subspan(record * n, n);
     }
 };
 
 /// The ramp of a span as a record that counts x from the picture's edge. Modulo 2^64.
-void set_record(RecordStreams& streams, std::size_t record, const Ramp& ramp, int x_begin);
+AttributeRecord record_of(const Ramp& ramp, int x_begin);
 
 }  // namespace scanlight::raster

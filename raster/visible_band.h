@@ -57,6 +57,8 @@ public:
 
     int width() const { return width_; }
     Rows rows() const { return rows_; }
+    /// From a row to the next, in pixels.
+    std::size_t stride() const { return stride_; }
     Depth* depth_row(int y) { return memory_.data() + start(y); }
     Item* item_row(int y) { return memory_.data() + items_begin_ + start(y); }
     /// Of all that was drawn into it, over its whole life.

@@ -128,10 +128,9 @@ void Walker::draw_spans(raster::FaceItem face) {
     const auto emit = [&](const raster::Span<N>& span) {
         if (draw(span) == 0) return;
         records_.reserve(records_.count + 1);
-        for (std::size_t k = 0; k < N; ++k) {
-            set_record(records_.attributes[k], records_.count, span.ramps.attributes[k],
-                       span.x_begin);
-        }
+        const auto record = records_.of(records_.count);
+        for (std::size_t k = 0; k < N; ++k)
+            record[k] = raster::record_of(span.ramps.attributes[k], span.x_begin);
         records_.face[records_.count++] = static_cast<std::int32_t>(face | raster::walk_flag);
         records_.has_fractions = true;
     };

@@ -54,7 +54,7 @@ private:
             const AttributePlaneLanes plane = attribute_plane(
                 setup, corner(stream, v.a, back, scales.a), corner(stream, v.b, back, scales.b),
                 corner(stream, v.c, back, scales.c));
-            write(planar, plane, column, row, records.attributes[static_cast<std::size_t>(k)], i);
+            write(planar, plane, column, row, records, i, k);
         }
     }
 
@@ -88,13 +88,16 @@ private:
     }
 
     static void write(Mask where, const AttributePlaneLanes& plane, Ints column, Ints row,
-                      RecordStreams& streams, std::size_t i) {
-        store_where(where, plane.origin - column * plane.dx - row * plane.dy,
-                    streams.whole.data() + i);
-        store_where(where, plane.dx, streams.dx.data() + i);
-        store_where(where, plane.dy, streams.dy.data() + i);
-        store_where(where, Ints(0), streams.fraction.data() + i);
-        store_where(where, Ints(0), streams.fraction_dx.data() + i);
+                      AttributeRecords& records, std::size_t i, int k) {
+        std::int32_t whole[lane_count], dx[lane_count], dy[lane_count];
+        store(plane.origin - column * plane.dx - row * plane.dy, whole);
+        store(plane.dx, dx);
+        store(plane.dy, dy);
+        for (std::uint32_t left = bits_of(where); left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+            records.of(i + lane)[static_cast<std::size_t>(k)] = {whole[lane], dx[lane], dy[lane], 0,
+                                                                 0};
+        }
     }
 
     const PolygonStreams& streams_;
@@ -104,42 +107,90 @@ private:
 /// The values of records at the pixels of one vector, all in one row.
 class RecordReader {
 public:
+    /// `record` is not negative.
     RecordReader(const AttributeRecords& records, Ints record, int x, int y)
-        : record_(record),
-          x_(Ints(x) + iota()),
-          y_(Ints(y)),
-          has_fractions_(records.has_fractions),
-          one_(bits_of(record == Ints(first(record))) == bits_of(first_lanes(lane_count))),
-          first_(first(record)) {}
+        : records_(records), record_(record), x_(Ints(x) + iota()), y_(y) {
+        store(record, numbers_);
+        const Mask first = record == Ints(numbers_[0]);
+        is_one_ = all(first);
+        distinct_[0] = {numbers_[0], first};
+        if (!is_one_) find_distinct(bits_of(!first));
+    }
 
-    /// Of lanes whose record is not negative.
-    Floats value(const RecordStreams& streams) const {
-        Ints value = read(streams.whole) + x_ * read(streams.dx) + y_ * read(streams.dy);
-        if (has_fractions_) {
-            value +=
-                shift_right<ramp_bits>(read(streams.fraction) + x_ * read(streams.fraction_dx));
-        }
+    /// Attribute k.
+    Floats value(int k) const {
+        if (distinct_count_ > most_distinct) return float_lanes(gathered(k));
+        Ints value = of_one(distinct_[0].record, k);
+        for (int i = 1; i < distinct_count_; ++i)
+            value = select(distinct_[i].where, of_one(distinct_[i].record, k), value);
         return float_lanes(value);
     }
 
     /// One number a record.
     Ints read(const std::vector<std::int32_t>& stream) const {
-        return one_ ? Ints(stream[static_cast<std::size_t>(first_)])
-                    : gather(stream.data(), record_);
+        return is_one_ ? Ints(stream[static_cast<std::size_t>(numbers_[0])])
+                       : gather(stream.data(), record_);
     }
     Floats read(const std::vector<float>& stream) const {
-        return one_ ? Floats(stream[static_cast<std::size_t>(first_)])
-                    : gather(stream.data(), record_);
+        return is_one_ ? Floats(stream[static_cast<std::size_t>(numbers_[0])])
+                       : gather(stream.data(), record_);
     }
 
 private:
-    static std::int32_t first(Ints record) { return hn::GetLane(record.v); }
+    // Up to so many records it is faster to work out whole vectors of each, and to mix them.
+    static constexpr int most_distinct = lane_count / 3 + 1;
 
+    struct Distinct {
+        std::int32_t record;
+        Mask where;
+    };
+
+    void find_distinct(std::uint32_t left) {
+        for (; left != 0; ++distinct_count_) {
+            if (distinct_count_ == most_distinct) {
+                ++distinct_count_;
+                return;
+            }
+            const std::int32_t number = numbers_[std::countr_zero(left)];
+            const Mask where = record_ == Ints(number);
+            distinct_[distinct_count_] = {number, where};
+            left &= ~bits_of(where);
+        }
+    }
+
+    Ints of_one(std::int32_t record, int k) const {
+        const auto n = static_cast<std::size_t>(records_.attribute_count);
+        const AttributeRecord& r =
+            records_.attributes[static_cast<std::size_t>(record) * n + static_cast<std::size_t>(k)];
+        const Ints value = Ints(at_row(r)) + x_ * Ints(r.dx);
+        if (!records_.has_fractions) return value;
+        return value + shift_right<ramp_bits>(Ints(r.fraction) + x_ * Ints(r.fraction_dx));
+    }
+
+    /// Modulo 2^32.
+    std::int32_t at_row(const AttributeRecord& r) const {
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(r.whole) +
+                                         static_cast<std::uint32_t>(y_) *
+                                             static_cast<std::uint32_t>(r.dy));
+    }
+
+    Ints gathered(int k) const {
+        const auto* base = &records_.attributes[static_cast<std::size_t>(k)].whole;
+        const Ints at =
+            record_ * Ints(records_.attribute_count * static_cast<std::int32_t>(record_fields));
+        const Ints value = gather(base, at) + x_ * gather(base + 1, at) + Ints(y_) * gather(base + 2, at);
+        if (!records_.has_fractions) return value;
+        return value + shift_right<ramp_bits>(gather(base + 3, at) + x_ * gather(base + 4, at));
+    }
+
+    const AttributeRecords& records_;
     Ints record_;
-    Ints x_, y_;
-    bool has_fractions_;
-    bool one_;  // all lanes have the same record
-    std::int32_t first_;
+    Ints x_;
+    std::int32_t y_;
+    std::int32_t numbers_[lane_count];
+    Distinct distinct_[most_distinct];
+    int distinct_count_ = 1;
+    bool is_one_;  // all lanes have the same record
 };
 
 }  // namespace scanlight::raster::HWY_NAMESPACE

@@ -13,20 +13,18 @@ namespace scanlight::raster::HWY_NAMESPACE {
 /// The same bits as `Ramp::get` after as many `Ramp::step`s.
 class RampLanes {
 public:
-    /// The first lane is `value` itself.
-    RampLanes(std::int64_t value, std::int64_t step)
-        : whole_(Ints(whole(value)) + iota() * Ints(whole(step))),
-          fraction_(Ints(fraction(value) + half) + iota() * Ints(fraction(step))),
-          whole_step_(whole(times_lanes(step))),
-          fraction_step_(fraction(times_lanes(step))) {}
+    /// The first lane is `value`, each one on the right more by `dx`; a step adds `step`.
+    RampLanes(std::int64_t value, std::int64_t dx, std::int64_t step)
+        : whole_(Ints(whole(value)) + iota() * Ints(whole(dx))),
+          fraction_(Ints(fraction(value) + half) + iota() * Ints(fraction(dx))),
+          whole_step_(whole(step)),
+          fraction_step_(fraction(step)) {}
+
+    /// Steps along a row, a vector at a time.
+    explicit RampLanes(const Ramp& ramp)
+        : RampLanes(ramp.value, ramp.step_size, times_lanes(ramp.step_size)) {}
 
     Ints get() const { return whole_ + shift_right<ramp_bits>(fraction_); }
-
-    /// The values when the whole ramp is lifted by `value`.
-    Ints from(std::int64_t value) const {
-        return whole_ + Ints(whole(value)) +
-               shift_right<ramp_bits>(fraction_ + Ints(fraction(value)));
-    }
 
     void step() {
         whole_ += whole_step_;
@@ -59,9 +57,10 @@ inline int store_nearer(Mask covered, Ints z, Ints item, Depth* depth, Item* ite
 }
 
 /// Draws pixels [x_begin, x_end) of a row, their depth by a ramp that begins at x_begin.
-inline std::size_t draw_span(Depth* depth, Item* items, int x_begin, int x_end, Ramp ramp,
+inline std::size_t draw_span(Depth* depth, Item* items, int x_begin, int x_end,
+                             const Ramp& ramp,
                              Item item) {
-    RampLanes z(ramp.value, ramp.step_size);
+    RampLanes z(ramp);
     const Ints item_lanes(item);
     const Mask whole = first_lanes(lane_count);
     std::size_t passed = 0;

@@ -126,26 +126,31 @@ public:
     }
 
 private:
-    /// A vector wide.
+    /// A vector wide, from x on.
     void draw_column(int x, PixelCounts& counts) const {
         const int right = x - x_begin_;
-        Ints edge[3];
-        for (int k = 0; k < 3; ++k)
-            edge[k] = Ints(edge_[k]) + (iota() + Ints(right)) * Ints(edge_dx_[k]);
-        auto depth = static_cast<std::uint64_t>(depth_ + right * depth_dx_);
-        const RampLanes ramp(0, depth_dx_);
+        const Ints column = iota() + Ints(right);
+        Ints edge0 = Ints(edge_[0]) + column * Ints(edge_dx_[0]);
+        Ints edge1 = Ints(edge_[1]) + column * Ints(edge_dx_[1]);
+        Ints edge2 = Ints(edge_[2]) + column * Ints(edge_dx_[2]);
+        RampLanes z(depth_ + right * depth_dx_, depth_dx_, depth_dy_);
+        Depth* depth = band_.depth_row(y_begin_) + x;
+        Item* items = band_.item_row(y_begin_) + x;
         for (int y = y_begin_; y < y_end_; ++y) {
-            const Mask covered = Ints(-1) < (edge[0] | edge[1] | edge[2]);
-            if (any(covered)) {
+            const Mask covered = Ints(-1) < (edge0 | edge1 | edge2);
+            const int pixels = count(covered);
+            if (pixels > 0) {
                 ++counts.spans;
-                counts.tested += static_cast<std::size_t>(count(covered));
+                counts.tested += static_cast<std::size_t>(pixels);
                 counts.passed += static_cast<std::size_t>(
-                    store_nearer(covered, ramp.from(static_cast<std::int64_t>(depth)), Ints(item_),
-                                 band_.depth_row(y) + x, band_.item_row(y) + x));
+                    store_nearer(covered, z.get(), Ints(item_), depth, items));
             }
-            for (int k = 0; k < 3; ++k)
-                edge[k] += Ints(edge_dy_[k]);
-            depth += static_cast<std::uint64_t>(depth_dy_);
+            edge0 += Ints(edge_dy_[0]);
+            edge1 += Ints(edge_dy_[1]);
+            edge2 += Ints(edge_dy_[2]);
+            z.step();
+            depth += band_.stride();
+            items += band_.stride();
         }
     }
 

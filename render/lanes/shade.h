@@ -221,10 +221,9 @@ public:
 
     template <class Pixels>
     void shade(const PixelLanes& lanes, const RecordReader& reader, const Pixels& to) const {
-        const auto& a = records_.attributes;
-        const ColorLanes color(reader.value(a[0]), reader.value(a[1]), reader.value(a[2]));
+        const ColorLanes color(reader.value(0), reader.value(1), reader.value(2));
         to.store_at(lanes.x, lanes.y, lanes.shown,
-                    undivided_lanes(color, reader.value(a[3])) * Floats(pass_.unit));
+                    undivided_lanes(color, reader.value(3)) * Floats(pass_.unit));
     }
 
 private:
@@ -271,8 +270,7 @@ private:
     }
 
     VectorLanes normal_at(const PixelLanes& lanes, const RecordReader& reader) const {
-        const auto& a = records_.attributes;
-        const VectorLanes n(reader.value(a[0]), reader.value(a[1]), reader.value(a[2]));
+        const VectorLanes n(reader.value(0), reader.value(1), reader.value(2));
         const VectorLanes nowhere(Floats(0));
         const VectorLanes normal = shading::unit_or(n, nowhere);
         const Mask lost = lanes.shown & !(shading::dot(normal, normal) > Floats(0));
@@ -288,9 +286,8 @@ private:
     }
 
     ColorLanes vertex_color(const RecordReader& reader) const {
-        const auto& a = records_.attributes;
-        const ColorLanes color(reader.value(a[3]), reader.value(a[4]), reader.value(a[5]));
-        return undivided_lanes(color, reader.value(a[6]));
+        const ColorLanes color(reader.value(3), reader.value(4), reader.value(5));
+        return undivided_lanes(color, reader.value(6));
     }
 
     const ObjectPass& pass_;
