@@ -2,14 +2,11 @@
 
 #include <cstddef>
 #include <span>
-#include <variant>
 
 #include "raster/lane_path.h"
 #include "render/object_pass.h"
 
 namespace scanlight::render {
-
-using Target = std::variant<FloatTarget, PackedTarget>;
 
 /// The vector code of this room for one instruction set. All sets give the same bits.
 struct LanePath {

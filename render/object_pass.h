@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 #include "raster/attribute_records.h"
@@ -43,11 +44,13 @@ struct PackedTarget {
     raster::Encoding encoding;
 };
 
+using Target = std::variant<FloatTarget, PackedTarget>;
+
 /// One thread's memory for shading a band.
 struct ShadeScratch {
     raster::AttributeRecords records;
-    VectorStreams face_colors;              // flat: of each record
-    std::vector<std::int32_t> face_packed;  // the same as pixels
+    VectorStreams face_colors;  // flat: of each record
+    VectorStreams row;          // colours of a row of pixels
 };
 
 }  // namespace scanlight::render

@@ -36,7 +36,7 @@ public:
 
 private:
     /// Lanes beyond the n-th take face 0, and write behind the last record.
-    HWY_FLATTEN void set_up_lanes(AttributeRecords& records, std::size_t i, int n) const {
+    SCANLIGHT_FLATTEN void set_up_lanes(AttributeRecords& records, std::size_t i, int n) const {
         const Ints item = select(first_lanes(n), load(records.face.data() + i), Ints(0));
         const Mask planar = (item & Ints(static_cast<std::int32_t>(walk_flag))) == Ints(0);
         if (!any(planar)) return;
@@ -117,6 +117,12 @@ public:
         if (!is_one_) find_distinct(bits_of(!first));
     }
 
+    /// All attributes, to `to`.
+    void values(Floats* to) const {
+        for (int k = 0; k < records_.attribute_count; ++k)
+            to[k] = value(k);
+    }
+
     /// Attribute k.
     Floats value(int k) const {
         if (distinct_count_ > most_distinct) return float_lanes(gathered(k));
@@ -178,7 +184,8 @@ private:
         const auto* base = &records_.attributes[static_cast<std::size_t>(k)].whole;
         const Ints at =
             record_ * Ints(records_.attribute_count * static_cast<std::int32_t>(record_fields));
-        const Ints value = gather(base, at) + x_ * gather(base + 1, at) + Ints(y_) * gather(base + 2, at);
+        const Ints value =
+            gather(base, at) + x_ * gather(base + 1, at) + Ints(y_) * gather(base + 2, at);
         if (!records_.has_fractions) return value;
         return value + shift_right<ramp_bits>(gather(base + 3, at) + x_ * gather(base + 4, at));
     }
@@ -192,5 +199,16 @@ private:
     int distinct_count_ = 1;
     bool is_one_;  // all lanes have the same record
 };
+
+/// The attributes of a vector of pixels.
+struct AttributeLanes {
+    Floats value[most_attributes];
+};
+
+/// `record` is not negative.
+SCANLIGHT_FLATTEN inline void read_attributes(const AttributeRecords& records, Ints record, int x,
+                                              int y, AttributeLanes& to) {
+    RecordReader(records, record, x, y).values(to.value);
+}
 
 }  // namespace scanlight::raster::HWY_NAMESPACE

@@ -52,8 +52,8 @@ public:
 
     /// Faces [begin, end) in their order. Whoever has not three corners, or is to be clipped, goes
     /// on with `walk_flag`, and its neighbours in the vector too.
-    HWY_FLATTEN void cull(std::size_t begin, std::size_t end, Survivors& survivors,
-                          FateCounts& counts) const {
+    SCANLIGHT_FLATTEN void cull(std::size_t begin, std::size_t end, Survivors& survivors,
+                                FateCounts& counts) const {
         survivors.count = 0;
         for (std::size_t f = begin; f < end; f += lane_count) {
             const int n = static_cast<int>(std::min<std::size_t>(lane_count, end - f));

@@ -22,6 +22,14 @@ using LongTag = hn::ScalableTag<std::int64_t>;
 using HalfIntTag = hn::Half<IntTag>;
 using HalfFloatTag = hn::Half<FloatTag>;
 
+/// Before a function: all that it calls becomes part of it, lest vectors travel through memory. Not
+/// where a vector is an array anyway.
+#if HWY_TARGET == HWY_EMU128
+#define SCANLIGHT_FLATTEN
+#else
+#define SCANLIGHT_FLATTEN HWY_FLATTEN
+#endif
+
 /// How many numbers one vector holds.
 inline constexpr int lane_count = static_cast<int>(hn::MaxLanes(FloatTag()));
 

@@ -57,8 +57,7 @@ inline int store_nearer(Mask covered, Ints z, Ints item, Depth* depth, Item* ite
 }
 
 /// Draws pixels [x_begin, x_end) of a row, their depth by a ramp that begins at x_begin.
-inline std::size_t draw_span(Depth* depth, Item* items, int x_begin, int x_end,
-                             const Ramp& ramp,
+inline std::size_t draw_span(Depth* depth, Item* items, int x_begin, int x_end, const Ramp& ramp,
                              Item item) {
     RampLanes z(ramp);
     const Ints item_lanes(item);

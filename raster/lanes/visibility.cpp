@@ -27,7 +27,7 @@ public:
     }
 
 private:
-    HWY_FLATTEN void draw_vector(std::span<const FaceItem> items) {
+    SCANLIGHT_FLATTEN void draw_vector(std::span<const FaceItem> items) {
         PreparedTriangles prepared;
         prepare(streams_, triangles_at(streams_, faces_of(items)), prepared);
         for (std::size_t i = 0; i < items.size(); ++i) {
@@ -71,8 +71,8 @@ void draw_items(const PolygonStreams& streams, std::span<const FaceItem> items, 
     BandPainter(streams, band, records, walker).draw(items);
 }
 
-HWY_FLATTEN std::size_t draw_one_span(Depth* depth, Item* items, int x_begin, int x_end,
-                                      const Ramp& ramp, Item item) {
+SCANLIGHT_FLATTEN std::size_t draw_one_span(Depth* depth, Item* items, int x_begin, int x_end,
+                                            const Ramp& ramp, Item item) {
     return draw_span(depth, items, x_begin, x_end, ramp, item);
 }
 

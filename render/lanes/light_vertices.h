@@ -21,7 +21,7 @@ public:
     }
 
 private:
-    HWY_FLATTEN void light_lanes(std::size_t i) {
+    SCANLIGHT_FLATTEN void light_lanes(std::size_t i) {
         const VectorLanes point = vector_at(pass_.vertices.points, i);
         const VectorLanes normal = vector_at(pass_.vertices.normals, i);
         const VectorLanes view = view_from(pass_.frame->viewpoint, point);

@@ -2,6 +2,7 @@
 
 #include "render/lanes/light_vertices.h"
 #include "render/lanes/shade.h"
+#include "render/lanes/store.h"
 #include "render/lanes/vertices.h"
 
 namespace scanlight::raster::HWY_NAMESPACE {
@@ -29,36 +30,35 @@ void set_up_planes(const ObjectPass& pass, raster::AttributeRecords& records) {
     PlaneRecorder(pass.polygons, pass.attributes).set_up(records);
 }
 
-template <class Pixels>
-std::size_t shade_into(const ObjectPass& pass, raster::VisibleBand& band, ShadeScratch& scratch,
-                       const Pixels& to) {
-    const auto& records = scratch.records;
+template <class Technique>
+std::size_t shade_rows(const Technique& technique, raster::VisibleBand& band, ShadeScratch& scratch,
+                       const Target& target) {
+    const auto width = static_cast<std::size_t>(band.width());
+    if (scratch.row.x.size() < width + lane_count) scratch.row.resize(width + lane_count);
+    std::size_t pixels = 0;
+    for (int y = band.rows().y_begin; y < band.rows().y_end; ++y) {
+        shade_row(technique, scratch.records, band, y, scratch.row);
+        pixels += store_row(scratch.row, band, y, target);
+    }
+    return pixels;
+}
+
+std::size_t shade_band(const ObjectPass& pass, raster::VisibleBand& band, ShadeScratch& scratch,
+                       const Target& target) {
     switch (pass.settings->shading) {
         case Shading::flat:
-            return shade_pixels(FlatLanes(pass, scratch), records, band, to);
+            return shade_rows(FlatLanes(pass, scratch), band, scratch, target);
         case Shading::gouraud:
-            return shade_pixels(GouraudLanes(pass, scratch), records, band, to);
+            return shade_rows(GouraudLanes(pass), band, scratch, target);
         case Shading::phong:
             break;
     }
     return with_model(*pass.settings, [&](auto model) {
         return with_paint(pass.mesh(), [&](auto paint) {
             using Technique = PhongLanes<decltype(model), paint>;
-            return shade_pixels(Technique(pass, scratch, model), records, band, to);
+            return shade_rows(Technique(pass, scratch, model), band, scratch, target);
         });
     });
-}
-
-std::size_t shade_band(const ObjectPass& pass, raster::VisibleBand& band, ShadeScratch& scratch,
-                       const Target& target) {
-    if (const auto* floats = std::get_if<FloatTarget>(&target)) {
-        return shade_into(pass, band, scratch, FloatPixels{*floats->plane});
-    }
-    const auto& packed = std::get<PackedTarget>(target);
-    if (packed.encoding == raster::Encoding::srgb) {
-        return shade_into(pass, band, scratch, PackedPixels<raster::Encoding::srgb>{*packed.plane});
-    }
-    return shade_into(pass, band, scratch, PackedPixels<raster::Encoding::linear>{*packed.plane});
 }
 
 }  // namespace

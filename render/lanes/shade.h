@@ -54,95 +54,52 @@ ColorLanes light_by_material(const ObjectPass& pass, Ints face, Mask wanted, Lig
     return by_material(materials, gather(numbers, face), wanted, light);
 }
 
-// ---- targets: how a vector of colours becomes pixels
-
-struct FloatPixels {
-    raster::Plane<raster::Rgba>& plane;
-    static constexpr bool is_packed = false;
-
-    void store_at(int x, int y, Mask where, const ColorLanes& color) const {
-        float pixels[4 * lane_count];
-        hn::StoreInterleaved4(color.x.v, color.y.v, color.z.v, Floats(1).v, FloatTag(), pixels);
-        const auto row = plane.row(y);
-        for (std::uint32_t left = bits_of(where); left != 0; left &= left - 1) {
-            const int i = std::countr_zero(left);
-            row[static_cast<std::size_t>(x + i)] = {pixels[4 * i], pixels[4 * i + 1],
-                                                    pixels[4 * i + 2], pixels[4 * i + 3]};
-        }
-    }
-};
-
-template <raster::Encoding encoding>
-struct PackedPixels {
-    raster::Plane<raster::PackedPixel>& plane;
-    static constexpr bool is_packed = true;
-
-    static Ints packed(const ColorLanes& color) {
-        return pack_lanes<encoding>(color.x, color.y, color.z);
-    }
-    void store_at(int x, int y, Mask where, const ColorLanes& color) const {
-        store_packed(x, y, where, packed(color));
-    }
-    void store_packed(int x, int y, Mask where, Ints pixels) const {
-        auto* const at = reinterpret_cast<std::int32_t*>(plane.row(y).data()) + x;
-        if (x + lane_count <= plane.width()) {
-            store_where(where, pixels, at);
-            return;
-        }
-        std::int32_t values[lane_count];
-        store(pixels, values);
-        for (std::uint32_t left = bits_of(where); left != 0; left &= left - 1)
-            at[std::countr_zero(left)] = values[std::countr_zero(left)];
-    }
-};
-
 // ---- techniques: what a vector of pixels looks like
 
-/// A vector of pixels in a row, those whose record is not negative.
+/// A vector of pixels in a row.
 struct PixelLanes {
     int x, y;
     Ints depth;
-    Ints record;  // 0 where nothing is
+    Ints record;  // where nothing is shown, that of a pixel where something is
     Mask shown;
+    AttributeLanes attributes;
+
+    VectorLanes vector(int first) const {
+        return {attributes.value[first], attributes.value[first + 1], attributes.value[first + 2]};
+    }
 };
 
 /// One intensity a face: see `FlatTechnique`.
 class FlatLanes {
 public:
-    FlatLanes(const ObjectPass& pass, ShadeScratch& scratch) : pass_(pass), scratch_(scratch) {}
-
-    template <class Pixels>
-    void set_up() {
-        const std::size_t count = scratch_.records.count;
-        scratch_.face_colors.resize(std::max(scratch_.face_colors.x.size(), count + lane_count));
-        if (scratch_.face_packed.size() < count + lane_count)
-            scratch_.face_packed.resize(count + lane_count);
-        with_model(*pass_.settings, [&](auto model) {
-            for (std::size_t i = 0; i < count; i += lane_count) {
-                const ColorLanes color = face_color(model, faces_at(i, count));
-                if constexpr (Pixels::is_packed) {
-                    store(Pixels::packed(color), scratch_.face_packed.data() + i);
-                } else {
-                    store(color.x, scratch_.face_colors.x.data() + i);
-                    store(color.y, scratch_.face_colors.y.data() + i);
-                    store(color.z, scratch_.face_colors.z.data() + i);
-                }
-            }
-        });
+    FlatLanes(const ObjectPass& pass, ShadeScratch& scratch) : pass_(pass), scratch_(scratch) {
+        with_model(*pass_.settings, [&](auto model) { light_faces(model); });
     }
 
-    template <class Pixels>
-    void shade(const PixelLanes& lanes, const RecordReader& reader, const Pixels& to) const {
-        if constexpr (Pixels::is_packed) {
-            to.store_packed(lanes.x, lanes.y, lanes.shown, reader.read(scratch_.face_packed));
-        } else {
-            const auto& colors = scratch_.face_colors;
-            to.store_at(lanes.x, lanes.y, lanes.shown,
-                        {reader.read(colors.x), reader.read(colors.y), reader.read(colors.z)});
-        }
+    ColorLanes shade(const PixelLanes& pixels) const {
+        const auto& colors = scratch_.face_colors;
+        return {gather(colors.x.data(), pixels.record), gather(colors.y.data(), pixels.record),
+                gather(colors.z.data(), pixels.record)};
     }
 
 private:
+    template <class Model>
+    void light_faces(const Model& model) {
+        const std::size_t count = scratch_.records.count;
+        auto& colors = scratch_.face_colors;
+        if (colors.x.size() < count + lane_count) colors.resize(2 * count + lane_count);
+        for (std::size_t i = 0; i < count; i += lane_count)
+            light_lanes(model, i, count);
+    }
+
+    template <class Model>
+    SCANLIGHT_FLATTEN void light_lanes(const Model& model, std::size_t i, std::size_t count) {
+        const ColorLanes color = face_color(model, faces_at(i, count));
+        store(color.x, scratch_.face_colors.x.data() + i);
+        store(color.y, scratch_.face_colors.y.data() + i);
+        store(color.z, scratch_.face_colors.z.data() + i);
+    }
+
     Ints faces_at(std::size_t i, std::size_t count) const {
         const int n = static_cast<int>(std::min<std::size_t>(lane_count, count - i));
         return select(first_lanes(n), load(scratch_.records.face.data() + i), Ints(0));
@@ -213,51 +170,49 @@ inline ColorLanes undivided_lanes(const ColorLanes& a_q, Floats q) {
 /// Interpolated intensities: see `GouraudTechnique`.
 class GouraudLanes {
 public:
-    GouraudLanes(const ObjectPass& pass, ShadeScratch& scratch)
-        : pass_(pass), records_(scratch.records) {}
+    explicit GouraudLanes(const ObjectPass& pass) : unit_(pass.unit) {}
 
-    template <class Pixels>
-    void set_up() {}
-
-    template <class Pixels>
-    void shade(const PixelLanes& lanes, const RecordReader& reader, const Pixels& to) const {
-        const ColorLanes color(reader.value(0), reader.value(1), reader.value(2));
-        to.store_at(lanes.x, lanes.y, lanes.shown,
-                    undivided_lanes(color, reader.value(3)) * Floats(pass_.unit));
+    ColorLanes shade(const PixelLanes& pixels) const {
+        return undivided_lanes(pixels.vector(0), pixels.attributes.value[3]) * unit_;
     }
 
 private:
-    const ObjectPass& pass_;
-    const raster::AttributeRecords& records_;
+    Floats unit_;
 };
 
 /// Interpolated normals, lit pixel by pixel: see `PhongTechnique`.
 template <class Model, Paint paint>
 class PhongLanes {
 public:
-    PhongLanes(const ObjectPass& pass, ShadeScratch& scratch, const Model& model)
+    PhongLanes(const ObjectPass& pass, const ShadeScratch& scratch, const Model& model)
         : pass_(pass), records_(scratch.records), model_(model) {}
 
-    template <class Pixels>
-    void set_up() {}
-
-    template <class Pixels>
-    void shade(const PixelLanes& lanes, const RecordReader& reader, const Pixels& to) const {
-        const VectorLanes point = point_at(lanes);
-        const shading::Surface<Floats> surface{point, normal_at(lanes, reader),
+    ColorLanes shade(const PixelLanes& pixels) const {
+        const VectorLanes point = point_at(pixels);
+        const shading::Surface<Floats> surface{point, normal_at(pixels),
                                                view_from(pass_.frame->viewpoint, point)};
-        const Ints face =
-            reader.read(records_.face) & Ints(static_cast<std::int32_t>(raster::face_mask));
-        const ColorLanes color =
-            light_by_material(pass_, face, lanes.shown, [&](const auto& material) {
-                return illuminate(model_, surface,
-                                  painted_by<paint>(material, [&] { return vertex_color(reader); }),
-                                  pass_.frame->lighting);
-            });
-        to.store_at(lanes.x, lanes.y, lanes.shown, color);
+        return light_by_material(pass_, pixels, [&](const auto& material) {
+            return illuminate(model_, surface,
+                              painted_by<paint>(material, [&] { return vertex_color(pixels); }),
+                              pass_.frame->lighting);
+        });
     }
 
 private:
+    template <class Light>
+    ColorLanes light_by_material(const ObjectPass& pass, const PixelLanes& pixels,
+                                 Light&& light) const {
+        if (pass.object->materials.size() == 1) return light(pass.object->materials.front());
+        return render::HWY_NAMESPACE::light_by_material(pass, face_of(item_of(pixels)),
+                                                        pixels.shown, light);
+    }
+    Ints item_of(const PixelLanes& pixels) const {
+        return gather(records_.face.data(), pixels.record);
+    }
+    static Ints face_of(Ints item) {
+        return item & Ints(static_cast<std::int32_t>(raster::face_mask));
+    }
+
     /// `Frame::point_at`.
     VectorLanes point_at(const PixelLanes& lanes) const {
         const VectorLanes screen(floats_of(Ints(lanes.x) + iota()) + Floats(0.5f),
@@ -269,25 +224,22 @@ private:
         return floats_of(depth) * Floats(raster::ndc_a_depth);
     }
 
-    VectorLanes normal_at(const PixelLanes& lanes, const RecordReader& reader) const {
-        const VectorLanes n(reader.value(0), reader.value(1), reader.value(2));
-        const VectorLanes nowhere(Floats(0));
-        const VectorLanes normal = shading::unit_or(n, nowhere);
-        const Mask lost = lanes.shown & !(shading::dot(normal, normal) > Floats(0));
-        return any(lost) ? shading::unit_or(n, face_normal(reader)) : normal;
+    VectorLanes normal_at(const PixelLanes& pixels) const {
+        const VectorLanes n = pixels.vector(0);
+        const VectorLanes normal = shading::unit_or(n, VectorLanes(Floats(0)));
+        const Mask lost = pixels.shown & !(shading::dot(normal, normal) > Floats(0));
+        return any(lost) ? shading::unit_or(n, face_normal(pixels)) : normal;
     }
 
-    VectorLanes face_normal(const RecordReader& reader) const {
-        const Ints item = reader.read(records_.face);
-        const Ints face = item & Ints(static_cast<std::int32_t>(raster::face_mask));
-        const VectorLanes normal = transformed_normal(pass_.placing.normals_from_object,
-                                                      gather(pass_.mesh().face_normals, face));
+    VectorLanes face_normal(const PixelLanes& pixels) const {
+        const Ints item = item_of(pixels);
+        const VectorLanes normal = transformed_normal(
+            pass_.placing.normals_from_object, gather(pass_.mesh().face_normals, face_of(item)));
         return shading::select(item < Ints(0), -normal, normal);
     }
 
-    ColorLanes vertex_color(const RecordReader& reader) const {
-        const ColorLanes color(reader.value(3), reader.value(4), reader.value(5));
-        return undivided_lanes(color, reader.value(6));
+    ColorLanes vertex_color(const PixelLanes& pixels) const {
+        return undivided_lanes(pixels.vector(3), pixels.attributes.value[6]);
     }
 
     const ObjectPass& pass_;
@@ -304,26 +256,34 @@ inline Ints with_neighbours(Ints record, Mask shown) {
     return select(shown, record, Ints(records[std::countr_zero(bits_of(shown))]));
 }
 
-/// Every vector of pixels of the band that shows something.
-template <class Technique, class Pixels>
-HWY_FLATTEN std::size_t shade_pixels(Technique technique, const raster::AttributeRecords& records,
-                                     raster::VisibleBand& band, const Pixels& to) {
-    technique.template set_up<Pixels>();
-    std::size_t shaded = 0;
-    for (int y = band.rows().y_begin; y < band.rows().y_end; ++y) {
-        const raster::Item* const row = band.item_row(y);
-        const raster::Depth* const depth = band.depth_row(y);
-        for (int x = 0; x < band.width(); x += lane_count) {
-            const Ints record = load(row + x);
-            const Mask shown = Ints(-1) < record;
-            if (!any(shown)) continue;
-            const Ints safe = all(shown) ? record : with_neighbours(record, shown);
-            technique.shade(PixelLanes{x, y, load(depth + x), safe, shown},
-                            RecordReader(records, safe, x, y), to);
-            shaded += static_cast<std::size_t>(count(shown));
-        }
+/// The vector of pixels from x on, or nothing where nothing is shown.
+inline bool read_pixels(const raster::AttributeRecords& records, raster::VisibleBand& band, int x,
+                        int y, PixelLanes& pixels) {
+    const Ints record = load(band.item_row(y) + x);
+    pixels.shown = Ints(-1) < record;
+    if (!any(pixels.shown)) return false;
+    pixels.x = x;
+    pixels.y = y;
+    pixels.depth = load(band.depth_row(y) + x);
+    pixels.record = all(pixels.shown) ? record : with_neighbours(record, pixels.shown);
+    if (records.attribute_count > 0)
+        read_attributes(records, pixels.record, x, y, pixels.attributes);
+    return true;
+}
+
+/// The colours of all pixels of a row that show something.
+template <class Technique>
+SCANLIGHT_FLATTEN void shade_row(const Technique& technique,
+                                 const raster::AttributeRecords& records, raster::VisibleBand& band,
+                                 int y, VectorStreams& row) {
+    PixelLanes pixels;
+    for (int x = 0; x < band.width(); x += lane_count) {
+        if (!read_pixels(records, band, x, y, pixels)) continue;
+        const ColorLanes color = technique.shade(pixels);
+        store(color.x, row.x.data() + x);
+        store(color.y, row.y.data() + x);
+        store(color.z, row.z.data() + x);
     }
-    return shaded;
 }
 
 }  // namespace scanlight::render::HWY_NAMESPACE

@@ -20,8 +20,8 @@ public:
         : placing_(placing), viewport_(viewport), out_(out) {}
 
     /// Vertices [begin, end).
-    HWY_FLATTEN void place(const mesh::Vertices& vertices, std::size_t begin,
-                           std::size_t end) const {
+    SCANLIGHT_FLATTEN void place(const mesh::Vertices& vertices, std::size_t begin,
+                                 std::size_t end) const {
         for (std::size_t i = begin; i < end; i += lane_count) {
             const int n = static_cast<int>(std::min<std::size_t>(lane_count, end - i));
             place_position(vector_at(vertices.x, vertices.y, vertices.z, i, n), i);
