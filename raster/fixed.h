@@ -21,7 +21,8 @@ inline constexpr int max_size = 16384;
 /// Depth in 30 bits: 0 at the near plane, `depth_far` at the far plane, smaller is nearer.
 using Depth = std::int32_t;
 inline constexpr Depth depth_far = (1 << 30) - 1;
-inline constexpr Depth depth_clear = 1 << 30;  // behind everything
+/// Behind everything. Its bytes are alike, so that memory is filled as fast as it can be.
+inline constexpr Depth depth_clear = 0x40404040;
 
 /// An interpolated number in 2.29 fixed point, range [-4, 4): a colour channel, a component of a
 /// normal, or the perspective factor q.

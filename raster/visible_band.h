@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "raster/fixed.h"
@@ -45,14 +46,14 @@ public:
         // would hold up loads of the other.
         items_begin_ = (size + 1023) / 1024 * 1024 + 512;
         memory_.resize(std::max(memory_.size(), items_begin_ + size));
-        std::fill_n(memory_.data(), size, depth_clear);
-        std::fill_n(memory_.data() + items_begin_, size, no_item);
+        std::memset(memory_.data(), depth_clear & 0xff, size * sizeof(Depth));
+        forget_items();
     }
 
     /// Forgets whose the pixels are and keeps their depth.
     void forget_items() {
         const std::size_t size = stride_ * static_cast<std::size_t>(rows_.y_end - rows_.y_begin);
-        std::fill_n(memory_.data() + items_begin_, size, no_item);
+        std::memset(memory_.data() + items_begin_, no_item, size * sizeof(Item));
     }
 
     int width() const { return width_; }

@@ -104,70 +104,42 @@ private:
     const Attributes& attributes_;
 };
 
-/// The values of records at the pixels of one vector, all in one row.
+/// The values of records at the pixels of one vector, all in one row. Where they are few, whole
+/// vectors of each are worked out and mixed; else each lane fetches its own numbers.
 class RecordReader {
 public:
-    /// `record` is not negative.
-    RecordReader(const AttributeRecords& records, Ints record, int x, int y)
-        : records_(records), record_(record), x_(Ints(x) + iota()), y_(y) {
-        store(record, numbers_);
-        const Mask first = record == Ints(numbers_[0]);
-        is_one_ = all(first);
-        distinct_[0] = {numbers_[0], first};
-        if (!is_one_) find_distinct(bits_of(!first));
-    }
+    RecordReader(const AttributeRecords& records, int x, int y)
+        : records_(records), x_(Ints(x) + iota()), y_(y) {}
 
-    /// All attributes, to `to`.
-    void values(Floats* to) const {
+    /// All attributes of the lanes, whose `record` is not negative.
+    void read(Ints record, Floats* to) const {
+        std::int32_t numbers[lane_count];
+        store(record, numbers);
+        Ints value[most_attributes];
+        write_one(numbers[0], first_lanes(lane_count), value);
+        auto left = bits_of(record != Ints(numbers[0]));
+        for (int mixed = 1; left != 0; ++mixed) {
+            if (mixed == most_mixed) return gather_all(record, to);
+            const std::int32_t number = numbers[std::countr_zero(left)];
+            const Mask where = record == Ints(number);
+            write_one(number, where, value);
+            left &= ~bits_of(where);
+        }
         for (int k = 0; k < records_.attribute_count; ++k)
-            to[k] = value(k);
-    }
-
-    /// Attribute k.
-    Floats value(int k) const {
-        if (distinct_count_ > most_distinct) return float_lanes(gathered(k));
-        Ints value = of_one(distinct_[0].record, k);
-        for (int i = 1; i < distinct_count_; ++i)
-            value = select(distinct_[i].where, of_one(distinct_[i].record, k), value);
-        return float_lanes(value);
-    }
-
-    /// One number a record.
-    Ints read(const std::vector<std::int32_t>& stream) const {
-        return is_one_ ? Ints(stream[static_cast<std::size_t>(numbers_[0])])
-                       : gather(stream.data(), record_);
-    }
-    Floats read(const std::vector<float>& stream) const {
-        return is_one_ ? Floats(stream[static_cast<std::size_t>(numbers_[0])])
-                       : gather(stream.data(), record_);
+            to[k] = float_lanes(value[k]);
     }
 
 private:
-    // Up to so many records it is faster to work out whole vectors of each, and to mix them.
-    static constexpr int most_distinct = lane_count / 3 + 1;
+    static constexpr int most_mixed = lane_count / 3 + 1;
 
-    struct Distinct {
-        std::int32_t record;
-        Mask where;
-    };
-
-    void find_distinct(std::uint32_t left) {
-        for (; left != 0; ++distinct_count_) {
-            if (distinct_count_ == most_distinct) {
-                ++distinct_count_;
-                return;
-            }
-            const std::int32_t number = numbers_[std::countr_zero(left)];
-            const Mask where = record_ == Ints(number);
-            distinct_[distinct_count_] = {number, where};
-            left &= ~bits_of(where);
-        }
+    void write_one(std::int32_t record, Mask where, Ints* value) const {
+        const auto n = static_cast<std::size_t>(records_.attribute_count);
+        const AttributeRecord* r = &records_.attributes[static_cast<std::size_t>(record) * n];
+        for (std::size_t k = 0; k < n; ++k)
+            value[k] = select(where, value_of(r[k]), value[k]);
     }
 
-    Ints of_one(std::int32_t record, int k) const {
-        const auto n = static_cast<std::size_t>(records_.attribute_count);
-        const AttributeRecord& r =
-            records_.attributes[static_cast<std::size_t>(record) * n + static_cast<std::size_t>(k)];
+    Ints value_of(const AttributeRecord& r) const {
         const Ints value = Ints(at_row(r)) + x_ * Ints(r.dx);
         if (!records_.has_fractions) return value;
         return value + shift_right<ramp_bits>(Ints(r.fraction) + x_ * Ints(r.fraction_dx));
@@ -180,10 +152,15 @@ private:
                                              static_cast<std::uint32_t>(r.dy));
     }
 
-    Ints gathered(int k) const {
-        const auto* base = &records_.attributes[static_cast<std::size_t>(k)].whole;
-        const Ints at =
-            record_ * Ints(records_.attribute_count * static_cast<std::int32_t>(record_fields));
+    void gather_all(Ints record, Floats* to) const {
+        const auto fields = static_cast<std::int32_t>(record_fields);
+        const Ints at = record * Ints(records_.attribute_count * fields);
+        for (int k = 0; k < records_.attribute_count; ++k)
+            to[k] = float_lanes(gathered(at + Ints(k * fields)));
+    }
+
+    Ints gathered(Ints at) const {
+        const std::int32_t* base = &records_.attributes.data()->whole;
         const Ints value =
             gather(base, at) + x_ * gather(base + 1, at) + Ints(y_) * gather(base + 2, at);
         if (!records_.has_fractions) return value;
@@ -191,24 +168,13 @@ private:
     }
 
     const AttributeRecords& records_;
-    Ints record_;
     Ints x_;
     std::int32_t y_;
-    std::int32_t numbers_[lane_count];
-    Distinct distinct_[most_distinct];
-    int distinct_count_ = 1;
-    bool is_one_;  // all lanes have the same record
 };
 
 /// The attributes of a vector of pixels.
 struct AttributeLanes {
     Floats value[most_attributes];
 };
-
-/// `record` is not negative.
-SCANLIGHT_FLATTEN inline void read_attributes(const AttributeRecords& records, Ints record, int x,
-                                              int y, AttributeLanes& to) {
-    RecordReader(records, record, x, y).values(to.value);
-}
 
 }  // namespace scanlight::raster::HWY_NAMESPACE

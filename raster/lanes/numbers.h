@@ -220,9 +220,15 @@ inline int count(Mask mask) {
 }
 /// One bit a lane, the first lane's the lowest.
 inline std::uint32_t bits_of(Mask mask) {
+#if HWY_TARGET == HWY_AVX3
+    return mask.m.raw;
+#elif HWY_TARGET == HWY_AVX2
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(hn::VecFromMask(FloatTag(), mask.m).raw));
+#else
     alignas(8) std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(FloatTag(), mask.m, bytes);
     return static_cast<std::uint32_t>(bytes[0] | bytes[1] << 8);
+#endif
 }
 /// The lanes before `n`.
 inline Mask first_lanes(int n) {

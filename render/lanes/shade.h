@@ -267,7 +267,7 @@ inline bool read_pixels(const raster::AttributeRecords& records, raster::Visible
     pixels.depth = load(band.depth_row(y) + x);
     pixels.record = all(pixels.shown) ? record : with_neighbours(record, pixels.shown);
     if (records.attribute_count > 0)
-        read_attributes(records, pixels.record, x, y, pixels.attributes);
+        RecordReader(records, x, y).read(pixels.record, pixels.attributes.value);
     return true;
 }
 

@@ -10,47 +10,49 @@ using namespace raster::HWY_NAMESPACE;
 
 // How a row of colours becomes pixels, where something is shown. Each returns how many there were.
 
-template <class Store>
-std::size_t for_each_shown(const raster::Item* items, int width, Store&& store_at) {
+inline std::size_t store_floats(const VectorStreams& row, const raster::Item* items,
+                                std::span<raster::Rgba> to) {
     std::size_t pixels = 0;
-    for (int x = 0; x < width; x += lane_count) {
-        const Mask shown = Ints(-1) < load(items + x);
-        if (!any(shown)) continue;
-        store_at(x, shown);
-        pixels += static_cast<std::size_t>(count(shown));
+    for (std::size_t x = 0; x < to.size(); ++x) {
+        if (items[x] < 0) continue;
+        to[x] = raster::Rgba(row.x[x], row.y[x], row.z[x], 1.0f);
+        ++pixels;
     }
     return pixels;
 }
 
-inline std::size_t store_floats(const VectorStreams& row, const raster::Item* items,
-                                std::span<raster::Rgba> to) {
-    return for_each_shown(items, static_cast<int>(to.size()), [&](int x, Mask shown) {
-        for (std::uint32_t left = bits_of(shown); left != 0; left &= left - 1) {
-            const auto i = static_cast<std::size_t>(x + std::countr_zero(left));
-            to[i] = raster::Rgba(row.x[i], row.y[i], row.z[i], 1.0f);
-        }
-    });
-}
-
 /// Whole vectors would write beyond the row's end, where another thread's may begin.
-inline void store_some(Mask where, Ints pixels, int room, std::int32_t* to) {
-    if (room >= lane_count) return store_where(where, pixels, to);
+inline void store_some(Ints pixels, int room, std::int32_t* to) {
+    if (room >= lane_count) return store(pixels, to);
     std::int32_t values[lane_count];
     store(pixels, values);
-    for (std::uint32_t left = bits_of(where); left != 0; left &= left - 1)
-        to[std::countr_zero(left)] = values[std::countr_zero(left)];
+    std::copy_n(values, room, to);
+}
+
+inline Ints load_some(const std::int32_t* from, int room) {
+    if (room >= lane_count) return load(from);
+    std::int32_t values[lane_count] = {};
+    std::copy_n(from, room, values);
+    return load(values);
 }
 
 template <raster::Encoding encoding>
 SCANLIGHT_FLATTEN std::size_t store_packed(const VectorStreams& row, const raster::Item* items,
                                            std::span<raster::PackedPixel> to) {
-    auto* const pixels = reinterpret_cast<std::int32_t*>(to.data());
+    auto* const out = reinterpret_cast<std::int32_t*>(to.data());
     const int width = static_cast<int>(to.size());
-    return for_each_shown(items, width, [&](int x, Mask shown) {
+    std::size_t pixels = 0;
+    for (int x = 0; x < width; x += lane_count) {
+        const Mask shown = Ints(-1) < load(items + x);
+        if (!any(shown)) continue;
         const Ints packed = pack_lanes<encoding>(load(row.x.data() + x), load(row.y.data() + x),
                                                  load(row.z.data() + x));
-        store_some(shown, packed, width - x, pixels + x);
-    });
+        const int room = width - x;
+        store_some(all(shown) ? packed : select(shown, packed, load_some(out + x, room)), room,
+                   out + x);
+        pixels += static_cast<std::size_t>(count(shown));
+    }
+    return pixels;
 }
 
 inline std::size_t store_row(const VectorStreams& row, raster::VisibleBand& band, int y,
