@@ -68,6 +68,11 @@ struct AttributeRecords {
         attributes.resize(face.size() * static_cast<std::size_t>(attribute_count));
     }
 
+    std::size_t bytes() const {
+        return attributes.capacity() * sizeof(AttributeRecord) +
+               face.capacity() * sizeof(std::int32_t);
+    }
+
     std::span<AttributeRecord> of(std::size_t record) {
         const auto n = static_cast<std::size_t>(attribute_count);
         return std::span(attributes).subspan(record * n, n);

@@ -56,6 +56,7 @@ public:
         std::memset(memory_.data() + items_begin_, no_item, size * sizeof(Item));
     }
 
+    std::size_t bytes() const { return memory_.capacity() * sizeof(std::int32_t); }
     int width() const { return width_; }
     Rows rows() const { return rows_; }
     /// From a row to the next, in pixels.

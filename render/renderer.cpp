@@ -143,6 +143,42 @@ void fill_rows(const Target& target, raster::Rows rows, const raster::Rgba& back
 
 }  // namespace
 
+namespace {
+
+// Memory held by the vectors of each stage, in bytes.
+
+template <class T>
+std::size_t bytes_of(const std::vector<T>& values) {
+    return values.capacity() * sizeof(T);
+}
+
+template <class... T>
+std::size_t bytes_of_all(const std::vector<T>&... values) {
+    return (bytes_of(values) + ... + 0);
+}
+
+std::size_t bytes_of(const VectorStreams& v) {
+    return bytes_of_all(v.x, v.y, v.z);
+}
+
+std::size_t bytes_of(const ObjectPass& pass) {
+    const VertexStreams& v = pass.vertices;
+    std::size_t bytes = bytes_of_all(v.x, v.y, v.z, v.outside, pass.vertex_material) +
+                        bytes_of(v.w) + bytes_of(v.points) + bytes_of(v.normals) +
+                        bytes_of(pass.front) + bytes_of(pass.back);
+    for (const raster::Bin& bin : pass.bins)
+        bytes += bytes_of(bin.items) + bytes_of(bin.begin);
+    return bytes;
+}
+
+std::size_t bytes_of(const BandMemory& memory) {
+    return memory.band.bytes() + memory.shade.records.bytes() + bytes_of(memory.items) +
+           bytes_of(memory.shade.face_colors) + bytes_of(memory.shade.row) +
+           bytes_of_all(memory.survivors.item, memory.survivors.y_begin, memory.survivors.y_end);
+}
+
+}  // namespace
+
 struct Renderer::Memory {
     explicit Memory(const Execution& execution)
         : path(path_named(execution.instructions)),
@@ -153,6 +189,15 @@ struct Renderer::Memory {
     raster::Workers workers;
     std::vector<BandMemory> bands;  // one a thread
     std::vector<ObjectPass> passes;
+
+    std::size_t bytes() const {
+        std::size_t sum = 0;
+        for (const ObjectPass& pass : passes)
+            sum += bytes_of(pass);
+        for (const BandMemory& band : bands)
+            sum += bytes_of(band);
+        return sum;
+    }
 };
 
 /// One picture on its way.
@@ -179,6 +224,7 @@ public:
         draw_bands();
         report.seconds.bands = lap(time);
         report.counts = counts();
+        report.working_bytes = memory_.bytes();
         return report;
     }
 
