@@ -22,9 +22,9 @@ struct LanePath {
     void (*set_up_planes)(const ObjectPass&, raster::AttributeRecords&);
 
     /// Illuminates each pixel of the band that has a record, and stores it in the target. Returns
-    /// how many there were.
-    std::size_t (*shade_band)(const ObjectPass&, raster::VisibleBand&, ShadeScratch&,
-                              const Target&);
+    /// how many there were. With `Background::drawn` all other pixels become background.
+    std::size_t (*shade_band)(const ObjectPass&, raster::VisibleBand&, ShadeScratch&, const Target&,
+                              Background);
 };
 
 /// Those that this machine can run, the fastest first; never empty.

@@ -1,7 +1,10 @@
-#include <hwy/highway.h>
-#include <hwy/targets.h>
+#include <vector>
 
 #include "render/lane_path.h"
+
+#ifndef SCANLIGHT_X86_LANES
+#include <hwy/highway.h>
+#endif
 
 namespace scanlight::render {
 

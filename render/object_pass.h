@@ -38,13 +38,18 @@ struct ObjectPass {
 /// Where the pixels of a picture go: floats, or bytes in an encoding.
 struct FloatTarget {
     raster::Plane<raster::Rgba>* plane;
+    raster::Rgba background;
 };
 struct PackedTarget {
     raster::Plane<raster::PackedPixel>* plane;
     raster::Encoding encoding;
+    raster::PackedPixel background;
 };
 
 using Target = std::variant<FloatTarget, PackedTarget>;
+
+/// Whether what shows nothing is left as it is, or becomes background.
+enum class Background { kept, drawn };
 
 /// One thread's memory for shading a band.
 struct ShadeScratch {

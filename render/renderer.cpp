@@ -128,17 +128,13 @@ raster::Viewport size_of(const Target& target) {
         target);
 }
 
-void fill_rows(const Target& target, raster::Rows rows, const raster::Rgba& background) {
-    const auto fill = [&](auto& plane, const auto& pixel) {
-        for (int y = rows.y_begin; y < rows.y_end; ++y)
-            std::ranges::fill(plane.row(y), pixel);
-    };
-    if (const auto* floats = std::get_if<FloatTarget>(&target)) {
-        fill(*floats->plane, background);
-    } else {
-        const auto& packed = std::get<PackedTarget>(target);
-        fill(*packed.plane, raster::packed_pixel(background, packed.encoding));
-    }
+void fill_rows(const Target& target, raster::Rows rows) {
+    std::visit(
+        [&](const auto& t) {
+            for (int y = rows.y_begin; y < rows.y_end; ++y)
+                std::ranges::fill(t.plane->row(y), t.background);
+        },
+        target);
 }
 
 }  // namespace
@@ -303,12 +299,15 @@ private:
     void draw_band(BandMemory& memory, int number) {
         const raster::Rows rows = bands_[number];
         memory.band.clear(frame_.viewport.width, rows);
-        fill_rows(target_, rows, scene_.background);
-        for (std::size_t i = 0; i < memory_.passes.size(); ++i) {
-            if (i > 0) memory.band.forget_items();
-            see(memory_.passes[i], number, memory);
-            shade(memory_.passes[i], memory);
+        Background background = Background::drawn;
+        for (const ObjectPass& pass : memory_.passes) {
+            see(pass, number, memory);
+            if (memory.shade.records.count == 0) continue;
+            shade(pass, memory, background);
+            memory.band.forget_items();
+            background = Background::kept;
         }
+        if (background == Background::drawn) fill_rows(target_, rows);
         if (depth_ != nullptr) copy_depth(memory.band);
     }
 
@@ -334,10 +333,10 @@ private:
     }
 
     /// Gives each pixel its light.
-    void shade(const ObjectPass& pass, BandMemory& memory) {
-        if (memory.shade.records.count == 0) return;
+    void shade(const ObjectPass& pass, BandMemory& memory, Background background) {
         memory_.path.set_up_planes(pass, memory.shade.records);
-        memory.shaded += memory_.path.shade_band(pass, memory.band, memory.shade, target_);
+        memory.shaded +=
+            memory_.path.shade_band(pass, memory.band, memory.shade, target_, background);
     }
 
     void copy_depth(raster::VisibleBand& band) {
@@ -405,14 +404,15 @@ std::string_view Renderer::instructions() const {
 
 DrawReport Renderer::draw(const Scene& scene, const Settings& settings,
                           raster::Plane<raster::Rgba>& color, raster::Plane<raster::Depth>* depth) {
-    const Target target = FloatTarget{&color};
+    const Target target = FloatTarget{&color, scene.background};
     return Picture(*memory_, scene, settings, target, depth).draw();
 }
 
 DrawReport Renderer::draw(const Scene& scene, const Settings& settings,
                           raster::Plane<raster::PackedPixel>& color, raster::Encoding encoding,
                           raster::Plane<raster::Depth>* depth) {
-    const Target target = PackedTarget{&color, encoding};
+    const Target target =
+        PackedTarget{&color, encoding, raster::packed_pixel(scene.background, encoding)};
     return Picture(*memory_, scene, settings, target, depth).draw();
 }
 

@@ -4,19 +4,18 @@
 
 #include "apps/scanlight/picture.h"
 #include "apps/scanlight/scene_setup.h"
-#include "raster/develop.h"
 
 namespace scanlight::apps {
 
 namespace {
 
-raster::Image8 draw_panel(const std::string& command_line, raster::Viewport size) {
+raster::Image8 draw_panel(const std::string& command_line, raster::Viewport size,
+                          const Means& means) {
     SceneOptions options = parse_scene(command_line);
     options.size = size;
     const Model model = load_model(options);
     const render::Scene scene = scene_of(model, options);
-    const render::Drawing drawing = draw_picture(scene, options);
-    return raster::srgb_image(drawing.framebuffer.color, raster::Alpha::dropped);
+    return byte_image(draw_picture(scene, options, means, {}), raster::Alpha::dropped);
 }
 
 void paste(raster::Image8& sheet, const raster::Image8& panel, int x) {
@@ -166,11 +165,11 @@ const std::vector<Figure>& figures() {
 }
 // clang-format on
 
-raster::Image8 draw_figure(const Figure& figure, raster::Viewport panel_size) {
+raster::Image8 draw_figure(const Figure& figure, raster::Viewport panel_size, const Means& means) {
     const int panels = static_cast<int>(figure.panels.size());
     raster::Image8 sheet(panel_size.width * panels, panel_size.height, 3);
     for (int i = 0; i < panels; ++i) {
-        paste(sheet, draw_panel(figure.panels[static_cast<std::size_t>(i)], panel_size),
+        paste(sheet, draw_panel(figure.panels[static_cast<std::size_t>(i)], panel_size, means),
               i * panel_size.width);
     }
     return sheet;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/scanlight/means.h"
 #include "raster/image.h"
 #include "raster/project.h"
 
@@ -19,6 +20,7 @@ struct Figure {
 const std::vector<Figure>& figures();
 
 /// Draws a figure, each panel of this size.
-raster::Image8 draw_figure(const Figure& figure, raster::Viewport panel_size);
+raster::Image8 draw_figure(const Figure& figure, raster::Viewport panel_size,
+                           const Means& means = {});
 
 }  // namespace scanlight::apps

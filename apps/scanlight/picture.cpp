@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "raster/image_of.h"
+#include "render/draw.h"
 #include "render/wireframe.h"
 
 namespace scanlight::apps {
@@ -12,23 +15,100 @@ namespace {
 
 constexpr raster::Rgba line_color{0.01f, 0.012f, 0.018f, 1.0f};
 
-/// Everything drawn so far painted over with the background: only its depth remains.
-void keep_depth_only(raster::Framebuffer& target, raster::Rgba background) {
-    target.color = raster::Plane<raster::Rgba>(target.size(), background);
+Picture by_textbook(render::Drawing drawing) {
+    Picture picture;
+    picture.color = std::move(drawing.framebuffer.color);
+    picture.depth = std::move(drawing.framebuffer.depth);
+    picture.report.drawing.counts = drawing.counts;
+    return picture;
+}
+
+/// Draws straight into the samples wanted.
+Picture by_fast_path(const render::Scene& scene, const SceneOptions& options,
+                     const render::Execution& execution, Wanted wanted) {
+    render::Renderer renderer(execution);
+    Picture picture;
+    picture.report = {DrawPath::fast, renderer.threads(), renderer.instructions(), {}};
+    raster::Plane<raster::Depth>* depth = nullptr;
+    if (wanted.depth) depth = &picture.depth.emplace(options.size, raster::depth_clear);
+    if (wanted.samples == Samples::floats) {
+        auto& color = picture.color.emplace<Picture::Floats>(options.size, scene.background);
+        picture.report.drawing = renderer.draw(scene, options.settings, color, depth);
+    } else {
+        auto& color = picture.color.emplace<Picture::Bytes>(options.size, 0);
+        picture.report.drawing =
+            renderer.draw(scene, options.settings, color, raster::Encoding::srgb, depth);
+    }
+    return picture;
+}
+
+Picture shaded(const render::Scene& scene, const SceneOptions& options, const Means& means,
+               Wanted wanted) {
+    if (means.path == DrawPath::fast) return by_fast_path(scene, options, means.execution, wanted);
+    return by_textbook(render::draw(scene, options.settings, options.size));
+}
+
+/// The edges of polygons over a picture of floats and depths.
+Picture with_edges(Picture picture, const render::Scene& scene, const SceneOptions& options,
+                   render::HiddenLines hidden) {
+    auto& color = std::get<Picture::Floats>(picture.color);
+    raster::Framebuffer target({1, 1}, scene.background);
+    std::swap(target.color, color);
+    std::swap(target.depth, *picture.depth);
+    render::draw_wireframe(scene, line_color, hidden, target, options.settings);
+    std::swap(target.color, color);
+    std::swap(target.depth, *picture.depth);
+    return picture;
+}
+
+template <std::size_t channels>
+void unpack_row(std::span<const raster::PackedPixel> row, std::span<std::uint8_t> samples) {
+    for (std::size_t x = 0; x < row.size(); ++x) {
+        for (std::size_t k = 0; k < channels; ++k)
+            samples[channels * x + k] = static_cast<std::uint8_t>(row[x] >> (8 * k));
+    }
+}
+
+raster::Image8 unpacked(const Picture::Bytes& color, raster::Alpha alpha) {
+    const bool kept = alpha == raster::Alpha::kept;
+    raster::Image8 image(color.width(), color.height(), kept ? 4 : 3);
+    for (int y = 0; y < color.height(); ++y)
+        (kept ? unpack_row<4> : unpack_row<3>)(color.row(y), image.row(y));
+    return image;
 }
 
 }  // namespace
 
-render::Drawing draw_picture(const render::Scene& scene, const SceneOptions& options) {
-    render::Drawing drawing = render::draw(scene, options.settings, options.size);
-    const Wireframe wireframe = wireframe_of(options);
-    if (wireframe == Wireframe::none) return drawing;
-    if (wireframe != Wireframe::over) keep_depth_only(drawing.framebuffer, scene.background);
-    render::draw_wireframe(
-        scene, line_color,
-        wireframe == Wireframe::all ? render::HiddenLines::shown : render::HiddenLines::removed,
-        drawing.framebuffer);
-    return drawing;
+Picture draw_picture(const render::Scene& scene, const SceneOptions& options, const Means& means,
+                     Wanted wanted) {
+    using enum render::HiddenLines;
+    const auto only_depth = [&] {
+        return by_textbook(render::draw_depth(scene, options.settings, options.size));
+    };
+    switch (wireframe_of(options)) {
+        case Wireframe::none:
+            return shaded(scene, options, means, wanted);
+        case Wireframe::all:
+            return with_edges(only_depth(), scene, options, shown);
+        case Wireframe::hidden:
+            return with_edges(only_depth(), scene, options, removed);
+        case Wireframe::over:
+            return with_edges(shaded(scene, options, means, {Samples::floats, true}), scene,
+                              options, removed);
+    }
+    return {};
+}
+
+raster::AnyImage color_image(const Picture& picture, Samples samples, raster::Alpha alpha) {
+    if (samples == Samples::bytes) return byte_image(picture, alpha);
+    return raster::linear_image(std::get<Picture::Floats>(picture.color), alpha);
+}
+
+raster::Image8 byte_image(const Picture& picture, raster::Alpha alpha) {
+    if (const auto* floats = std::get_if<Picture::Floats>(&picture.color)) {
+        return raster::srgb_image(*floats, alpha);
+    }
+    return unpacked(std::get<Picture::Bytes>(picture.color), alpha);
 }
 
 raster::Image8 normals_image(const raster::Plane<glm::vec3>& normals) {

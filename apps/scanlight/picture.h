@@ -1,16 +1,54 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string_view>
+#include <variant>
 
-#include "apps/scanlight/model.h"
+#include "apps/scanlight/means.h"
 #include "apps/scanlight/scene_options.h"
+#include "raster/develop.h"
 #include "raster/image.h"
-#include "render/draw.h"
+#include "render/renderer.h"
 
 namespace scanlight::apps {
 
-/// Draws the scene and, as the options ask, the edges of its polygons.
-render::Drawing draw_picture(const render::Scene& scene, const SceneOptions& options);
+/// The samples of a picture: sRGB bytes, or linear floats.
+enum class Samples { bytes, floats };
+
+/// What a picture is drawn for.
+struct Wanted {
+    Samples samples = Samples::bytes;
+    bool depth = false;
+};
+
+/// How a picture came about.
+struct PictureReport {
+    DrawPath path = DrawPath::textbook;
+    int threads = 1;
+    std::string_view instructions;  // of the fast path
+    render::DrawReport drawing;     // of the textbook's walk: the counts only
+};
+
+struct Picture {
+    using Bytes = raster::Plane<raster::PackedPixel>;  // sRGB
+    using Floats = raster::Plane<raster::Rgba>;
+
+    std::variant<Bytes, Floats> color;
+    std::optional<raster::Plane<raster::Depth>> depth;  // at least where it is wanted
+    PictureReport report;
+};
+
+/// Draws the scene and, as the options ask, the edges of its polygons. Where those stand alone,
+/// only the depth of the polygons counts, and the textbook's walk draws it.
+Picture draw_picture(const render::Scene& scene, const SceneOptions& options, const Means& means,
+                     Wanted wanted);
+
+/// The colours as an image file takes them. `samples` are those that the picture was wanted for.
+raster::AnyImage color_image(const Picture& picture, Samples samples, raster::Alpha alpha);
+
+/// The colours in bytes, whatever the picture was wanted for.
+raster::Image8 byte_image(const Picture& picture, raster::Alpha alpha);
 
 /// Normals as colours: (n + 1) / 2 in 8 bits; black is the background.
 raster::Image8 normals_image(const raster::Plane<glm::vec3>& normals);

@@ -9,6 +9,7 @@
 
 #include "apps/scanlight/color_format.h"
 #include "apps/scanlight/commands.h"
+#include "apps/scanlight/help_heading.h"
 #include "apps/scanlight/picture.h"
 #include "apps/scanlight/print_data.h"
 #include "apps/scanlight/progress.h"
@@ -16,8 +17,8 @@
 #include "apps/scanlight/statistics.h"
 #include "apps/scanlight/stopwatch.h"
 #include "apps/scanlight/usage_error.h"
-#include "raster/develop.h"
 #include "raster/save_image.h"
+#include "render/draw.h"
 
 namespace scanlight::apps {
 
@@ -32,6 +33,7 @@ struct AovOption {
 
 struct RenderOptions {
     SceneOptions scene;
+    Means means;
     std::string output;
     std::string format;
     std::vector<AovOption> aovs;
@@ -53,14 +55,20 @@ AovOption parse_aov(const std::string& text) {
     throw UsageError("aov '" + text + "': expected depth:PATH, normal:PATH or id:PATH");
 }
 
+/// One of a list of words. The option's type lists them already.
+CLI::Validator one_of(const std::vector<std::string>& words) {
+    return CLI::IsMember(words).description("");
+}
+
 void add_output_options(CLI::App& app, RenderOptions& options) {
+    const HelpHeading heading(app, "Output");
     app.add_option("output,-o,--output", options.output,
                    "picture: .png, .ppm, .pfm or .hdr; - writes a PPM to standard output.\n"
                    "IN's name with .png if not given")
         ->type_name("OUT");
     app.add_option("--format", options.format, "format, whatever OUT's ending")
         ->type_name("png|ppm|pfm|hdr")
-        ->check(CLI::IsMember({"png", "ppm", "pfm", "hdr"}));
+        ->check(one_of({"png", "ppm", "pfm", "hdr"}));
     app.add_option_function<std::vector<std::string>>(
            "--aov",
            [&options](const std::vector<std::string>& texts) {
@@ -75,7 +83,7 @@ void add_output_options(CLI::App& app, RenderOptions& options) {
            "--stats", options.statistics,
            "counts and times, on standard output, or on standard error if a picture goes there")
         ->type_name("json|text")
-        ->check(CLI::IsMember({"json", "text"}));
+        ->check(one_of({"json", "text"}));
     app.add_flag("-q,--quiet", options.quiet, "no messages but errors");
 }
 
@@ -105,42 +113,61 @@ raster::ImageFormat format_of(const AovOption& aov) {
     return format;
 }
 
-void save_color(const raster::Framebuffer& framebuffer, const RenderOptions& options) {
-    const auto format = format_of(options);
-    const auto alpha = options.scene.background ? raster::Alpha::dropped : raster::Alpha::kept;
-    if (raster::holds_floats(format)) {
-        raster::save_image(options.output, raster::linear_image(framebuffer.color, alpha), format);
-    } else {
-        raster::save_image(options.output, raster::srgb_image(framebuffer.color, alpha), format);
-    }
+Samples samples_of(raster::ImageFormat format) {
+    return raster::holds_floats(format) ? Samples::floats : Samples::bytes;
 }
 
-raster::AnyImage aov_image(Aov kind, bool floats, const render::Scene& scene,
-                           const SceneOptions& options, const raster::Framebuffer& framebuffer) {
+/// No more than what is written in the end.
+Wanted wanted(const RenderOptions& options) {
+    const bool depth =
+        std::ranges::find(options.aovs, Aov::depth, &AovOption::kind) != options.aovs.end();
+    return {samples_of(format_of(options)), depth};
+}
+
+void save_color(const Picture& picture, const RenderOptions& options) {
+    const auto format = format_of(options);
+    const auto alpha = options.scene.background ? raster::Alpha::dropped : raster::Alpha::kept;
+    raster::save_image(options.output, color_image(picture, samples_of(format), alpha), format);
+}
+
+raster::AnyImage depth_image(const Picture& picture, Samples samples,
+                             const render::Camera& camera) {
+    if (samples == Samples::bytes) return raster::depth_image(*picture.depth);
+    return float_image(render::eye_distances(*picture.depth, camera));
+}
+
+raster::AnyImage normal_image(const render::Scene& scene, const SceneOptions& options,
+                              Samples samples) {
+    const auto normals = render::draw_normals(scene, options.settings, options.size);
+    if (samples == Samples::bytes) return normals_image(normals);
+    return normals_float_image(normals);
+}
+
+raster::AnyImage id_image(const render::Scene& scene, const SceneOptions& options,
+                          Samples samples) {
+    const auto ids = render::draw_ids(scene, options.settings, options.size);
+    if (samples == Samples::bytes) return ids_image(ids);
+    return ids_float_image(ids);
+}
+
+raster::AnyImage aov_image(Aov kind, Samples samples, const render::Scene& scene,
+                           const SceneOptions& options, const Picture& picture) {
     switch (kind) {
         case Aov::depth:
-            if (!floats) return raster::depth_image(framebuffer.depth);
-            return float_image(render::eye_distances(framebuffer.depth, scene.camera));
-        case Aov::normal: {
-            const auto normals = render::draw_normals(scene, options.settings, options.size);
-            if (!floats) return normals_image(normals);
-            return normals_float_image(normals);
-        }
-        case Aov::id: {
-            const auto ids = render::draw_ids(scene, options.settings, options.size);
-            if (!floats) return ids_image(ids);
-            return ids_float_image(ids);
-        }
+            return depth_image(picture, samples, scene.camera);
+        case Aov::normal:
+            return normal_image(scene, options, samples);
+        case Aov::id:
+            return id_image(scene, options, samples);
     }
     return {};
 }
 
 void save_aov(const AovOption& aov, const render::Scene& scene, const SceneOptions& options,
-              const raster::Framebuffer& framebuffer) {
+              const Picture& picture) {
     const auto format = format_of(aov);
-    raster::save_image(
-        aov.path, aov_image(aov.kind, raster::holds_floats(format), scene, options, framebuffer),
-        format);
+    raster::save_image(aov.path, aov_image(aov.kind, samples_of(format), scene, options, picture),
+                       format);
 }
 
 void check_format(const RenderOptions& options) {
@@ -174,6 +201,7 @@ void say(const RenderOptions& options, const std::string& message) {
 }
 
 void render(RenderOptions& options) {
+    check(options.means);
     check_outputs(options);
     Progress progress(options.quiet ? Progress::When::never : Progress::When::on_terminal);
     progress.now("loading " + options.scene.input);
@@ -184,14 +212,13 @@ void render(RenderOptions& options) {
 
     Stopwatch stopwatch;
     progress.now("drawing " + options.scene.input);
-    const render::Drawing drawing = draw_picture(scene, options.scene);
+    const Picture picture = draw_picture(scene, options.scene, options.means, wanted(options));
     const double draw_seconds = stopwatch.lap();
     progress.now("saving " + options.output);
-    save_color(drawing.framebuffer, options);
-    for (const auto& aov : options.aovs) {
-        save_aov(aov, scene, options.scene, drawing.framebuffer);
-    }
-    const Statistics statistics{model, options.scene, drawing.counts, draw_seconds,
+    save_color(picture, options);
+    for (const auto& aov : options.aovs)
+        save_aov(aov, scene, options.scene, picture);
+    const Statistics statistics{model, options.scene, picture.report, draw_seconds,
                                 stopwatch.lap()};
     if (!options.statistics.empty()) {
         const std::string text =
@@ -209,6 +236,7 @@ void add_render_command(CLI::App& program) {
     add_scene_options(*command, options->scene);
     add_canvas_options(*command, options->scene);
     add_output_options(*command, *options);
+    add_means_options(*command, options->means);
     command->footer(
         "Built-in shapes: " + shape_names() +
         " (see scanlight shapes).\n"

@@ -4,33 +4,13 @@
 #include <sstream>
 #include <vector>
 
+#include "apps/scanlight/choice_option.h"
+#include "apps/scanlight/help_heading.h"
 #include "apps/scanlight/usage_error.h"
-#include "apps/scanlight/words.h"
 
 namespace scanlight::apps {
 
 namespace {
-
-/// An option with a fixed set of words.
-template <class Choice>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& value,
-                        const std::string& help) {
-    const Words<Choice> words = words_beside(value);
-    std::string list;
-    for (const auto& [word, meaning] : words)
-        list += (list.empty() ? "" : "|") + word;
-    const auto choose = [&value, words, name, list](const std::string& text) {
-        for (const auto& [word, meaning] : words) {
-            if (text != word) continue;
-            value = meaning;
-            return;
-        }
-        throw UsageError(name + " '" + text + "': expected " + list);
-    };
-    return app.add_option_function<std::string>(name, choose, help)
-        ->type_name(list)
-        ->default_str(word_of(value));
-}
 
 /// A number from `low` to `high`. CLI::Range would let NaN pass.
 CLI::Validator within(double low, double high) {
@@ -51,6 +31,7 @@ CLI::Option* add_text(CLI::App& app, const std::string& name, const std::string&
 }
 
 void add_picture_options(CLI::App& app, SceneOptions& o) {
+    const HelpHeading heading(app, "Picture");
     add_text(app, "-s,--size", "WxH", "picture size in pixels", [&o](const std::string& text) {
         o.size = parse_size(text);
     })->default_str(std::to_string(o.size.width) + "x" + std::to_string(o.size.height));
@@ -69,6 +50,7 @@ void add_picture_options(CLI::App& app, SceneOptions& o) {
 }
 
 void add_mesh_options(CLI::App& app, SceneOptions& o) {
+    const HelpHeading heading(app, "Mesh and surface");
     add_choice(app, "--normals", o.normals.weight,
                "vertex normals: the faces' mean, weighted, or the file's");
     app.add_option("--crease", o.normals.crease_deg,
@@ -76,8 +58,8 @@ void add_mesh_options(CLI::App& app, SceneOptions& o) {
         ->type_name("DEG")
         ->check(within(0.0, 180.0))
         ->capture_default_str();
-    add_text(app, "--material", "\"kd=… ks=… n=…\"",
-             "the surface, instead of the file's: ka, kd, ks (colours), n (exponent)",
+    add_text(app, "--material", "\"kd=C ks=C n=N\"",
+             "the surface, instead of the file's: ka, kd, ks (colours), n (exponent); any of them",
              [&o](const std::string& text) {
                  parse_material(text, {});  // what is wrong with it is said at once
                  o.material = text;
@@ -85,11 +67,12 @@ void add_mesh_options(CLI::App& app, SceneOptions& o) {
 }
 
 void add_camera_options(CLI::App& app, SceneOptions& o) {
+    const HelpHeading heading(app, "Camera");
     CLI::Option* view =
         add_text(app, "--view", "AZ,EL", "look from this azimuth and elevation, in degrees",
                  [&o](const std::string& text) { o.view = parse_view(text); })
             ->default_str("30,20");
-    CLI::Option* fov = app.add_option("--fov", o.fov_deg, "vertical field of view")
+    CLI::Option* fov = app.add_option("--fov", o.fov_deg, "vertical field of view, in degrees")
                            ->type_name("DEG")
                            ->check(within(1.0, 170.0))
                            ->capture_default_str();
@@ -97,7 +80,7 @@ void add_camera_options(CLI::App& app, SceneOptions& o) {
         ->type_name("MM")
         ->check(within(1.0, 5000.0))
         ->excludes(fov);
-    add_choice(app, "--projection", o.projection, "the camera's");
+    add_choice(app, "--projection", o.projection, "lines of sight through the eye, or parallel");
     app.add_option("--zoom", o.zoom, "enlarge the picture about its centre")
         ->check(within(0.001, 1000.0))
         ->capture_default_str();
@@ -111,16 +94,17 @@ void add_camera_options(CLI::App& app, SceneOptions& o) {
 }
 
 void add_light_options(CLI::App& app, SceneOptions& o) {
+    const HelpHeading heading(app, "Light");
     app.add_option_function<std::vector<std::string>>(
            "--light",
            [&o](const std::vector<std::string>& texts) {
                for (const auto& text : texts)
                    o.lights.push_back(parse_light(text));
            },
-           "a light, repeatable: its direction as the camera sees it (right, up, towards the\n"
-           "viewer); world:x,y,z is a direction in the world, point:x,y,z a place in it, which "
-           "may\n"
-           "have a fall-off: constant, inverse, inverse-square or inverse-plus-k")
+           "a light, repeatable; one from the upper left if not given. X,Y,Z is its direction as\n"
+           "the camera sees it (right, up, towards the viewer), with world: a direction in the\n"
+           "world, with point: a place in it, which may have a fall-off: constant, inverse,\n"
+           "inverse-square or inverse-plus-k")
         ->type_name("[world:|point:]X,Y,Z[,#RRGGBB][,FALLOFF]")
         ->allow_extra_args(false);
     app.add_option("--falloff-k", o.falloff_k, "k of inverse-plus-k, in world units")
@@ -165,7 +149,9 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
 }
 
 void add_canvas_options(CLI::App& app, SceneOptions& o) {
-    add_text(app, "--background", "COLOUR|none", "none is transparent, in a PNG",
+    const HelpHeading heading(app, "Picture");
+    add_text(app, "--background", "COLOUR|none",
+             "what lies behind, light grey if not given; none is transparent, in a PNG",
              [&o](const std::string& text) {
                  if (text == "none") {
                      o.background.reset();

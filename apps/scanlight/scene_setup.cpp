@@ -42,26 +42,41 @@ double magnification(const SceneOptions& options) {
                : render::magnification_from_fov(options.fov_deg);
 }
 
+double distance(const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 line = a - b;
+    return std::sqrt(glm::dot(line, line));
+}
+
+/// At `eye`, which the options give.
+render::Camera placed_camera(render::Camera camera, const glm::dvec3& eye,
+                             const std::vector<render::Object>& objects,
+                             const SceneOptions& options) {
+    camera.eye = eye;
+    camera.target = options.target.value_or(mesh::bounding_box(*objects.front().mesh).center());
+    if (camera.projection == render::Projection::orthographic) {
+        // What the field of view would show at the target.
+        camera.magnification /= std::max(distance(camera.eye, camera.target), 1e-30);
+    }
+    return render::with_fitted_planes(camera, objects);
+}
+
+/// On the side that the options name, as far away as shows all.
+render::Camera framing_camera(render::Camera camera, const std::vector<render::Object>& objects,
+                              const SceneOptions& options) {
+    camera.target = glm::dvec3(0.0);
+    camera.eye = render::direction_of(options.view);
+    return render::framed(camera, objects,
+                          static_cast<double>(options.size.width) / options.size.height);
+}
+
 render::Camera camera_of(const std::vector<render::Object>& objects, const SceneOptions& options) {
-    const double aspect = static_cast<double>(options.size.width) / options.size.height;
     render::Camera camera;
     camera.projection = options.projection;
     camera.magnification = magnification(options);
-    camera.target = glm::dvec3(0.0);
-    camera.eye = render::direction_of(options.view);
-    if (options.eye) {
-        camera.target = options.target.value_or(mesh::bounding_box(*objects.front().mesh).center());
-        camera.eye = *options.eye;
-        if (options.projection == render::Projection::orthographic) {
-            // What the field of view would show at the target.
-            const glm::dvec3 line = camera.eye - camera.target;
-            camera.magnification /= std::max(std::sqrt(glm::dot(line, line)), 1e-30);
-        }
-    } else {
-        camera = render::framed(camera, objects, aspect);
-    }
+    camera = options.eye ? placed_camera(camera, *options.eye, objects, options)
+                         : framing_camera(camera, objects, options);
     camera.magnification *= options.zoom;
-    return render::with_fitted_planes(camera, objects);
+    return camera;
 }
 
 shading::Light<float> light_of(const LightOption& option, const render::Camera& camera,

@@ -1,7 +1,9 @@
 #include "apps/scanlight/statistics.h"
 
 #include "apps/scanlight/json.h"
+#include "apps/scanlight/process_memory.h"
 #include "apps/scanlight/text_table.h"
+#include "apps/scanlight/words.h"
 
 namespace scanlight::apps {
 
@@ -16,29 +18,76 @@ Json time_json(double seconds) {
     return json_number(static_cast<float>(milliseconds(seconds)));
 }
 
-Json json_of(const Statistics& s) {
+bool is_fast(const Statistics& s) {
+    return s.picture.path == DrawPath::fast;
+}
+
+/// A number that only the fast path has.
+template <class Number>
+Json fast_only(const Statistics& s, const Number& number) {
+    return is_fast(s) ? Json(number) : Json();
+}
+
+Json means_json(const Statistics& s) {
+    return {{"path", word_of(s.picture.path)},
+            {"threads", s.picture.threads},
+            {"instructions", fast_only(s, s.picture.instructions)}};
+}
+
+Json input_json(const Statistics& s) {
     const auto& report = s.model.report;
-    const auto& counts = s.counts;
-    return {{"input", s.model.name},
-            {"width", s.options.size.width},
-            {"height", s.options.size.height},
-            {"faces",
+    return {{"faces",
              {{"in_file", report.faces_in},
               {"zero_area", report.zero_area},
               {"few_corners", report.few_corners}}},
-            {"vertices", s.model.mesh.vertices.size()},
-            {"polygons",
+            {"vertices", s.model.mesh.vertices.size()}};
+}
+
+Json counts_json(const render::DrawCounts& counts) {
+    return {{"polygons",
              {{"in", counts.polygons},
               {"outside", counts.outside},
               {"culled", counts.culled},
               {"drawn", counts.drawn}}},
             {"spans", counts.spans},
-            {"pixels", {{"tested", counts.pixels_tested}, {"passed", counts.pixels_passed}}},
-            {"milliseconds",
-             {{"load", time_json(s.model.load_seconds)},
-              {"build", time_json(s.model.build_seconds)},
-              {"draw", time_json(s.draw_seconds)},
-              {"save", time_json(s.save_seconds)}}}};
+            {"pixels",
+             {{"tested", counts.pixels_tested},
+              {"passed", counts.pixels_passed},
+              {"shaded", counts.pixels_shaded}}}};
+}
+
+/// Drawing takes the three stages that follow it, and what comes before and after them.
+Json times_json(const Statistics& s) {
+    const auto& stages = s.picture.drawing.seconds;
+    return {{"load", time_json(s.model.load_seconds)},
+            {"build", time_json(s.model.build_seconds)},
+            {"draw", time_json(s.draw_seconds)},
+            {"vertices", fast_only(s, time_json(stages.vertices))},
+            {"bins", fast_only(s, time_json(stages.bins))},
+            {"bands", fast_only(s, time_json(stages.bands))},
+            {"save", time_json(s.save_seconds)}};
+}
+
+Json memory_json(const Statistics& s) {
+    return {{"working_bytes", fast_only(s, s.picture.drawing.working_bytes)},
+            {"peak_bytes", peak_memory()}};
+}
+
+double megapixels(raster::Viewport size) {
+    return static_cast<double>(size.width) * size.height / 1e6;
+}
+
+Json json_of(const Statistics& s) {
+    Json json{{"input", s.model.name},
+              {"width", s.options.size.width},
+              {"height", s.options.size.height},
+              {"megapixels", megapixels(s.options.size)}};
+    json.update(means_json(s));
+    json.update(input_json(s));
+    json.update(counts_json(s.picture.drawing.counts));
+    json["milliseconds"] = times_json(s);
+    json["memory"] = memory_json(s);
+    return json;
 }
 
 /// Nested names joined by dots, one line a number.
@@ -52,8 +101,9 @@ std::string lines_of(const Json& json, const std::string& prefix) {
 }
 
 std::string drawn_text(const Statistics& s) {
-    if (s.counts.polygons == 0) return "no polygon to draw";
-    return std::to_string(s.counts.drawn) + " of " + std::to_string(s.counts.polygons) +
+    const auto& counts = s.picture.drawing.counts;
+    if (counts.polygons == 0) return "no polygon to draw";
+    return std::to_string(counts.drawn) + " of " + std::to_string(counts.polygons) +
            " polygons drawn in " + fixed(milliseconds(s.draw_seconds), 1) + " ms";
 }
 

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "apps/scanlight/model.h"
+#include "apps/scanlight/picture.h"
 #include "apps/scanlight/scene_options.h"
-#include "render/draw_polygons.h"
 
 namespace scanlight::apps {
 
@@ -12,7 +12,7 @@ namespace scanlight::apps {
 struct Statistics {
     const Model& model;
     const SceneOptions& options;
-    render::DrawCounts counts;
+    PictureReport picture;
     double draw_seconds;
     double save_seconds;
 };

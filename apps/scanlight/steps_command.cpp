@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ namespace scanlight::apps {
 namespace {
 
 using render::PolygonSteps;
+using Seen = std::vector<render::SeenPolygon>;
 
 struct StepsOptions {
     SceneOptions scene;
@@ -25,29 +27,36 @@ struct StepsOptions {
     bool json = false;
 };
 
-bool is_less_tall(const PolygonSteps& a, const PolygonSteps& b) {
-    return a.trace.scanlines.size() < b.trace.scanlines.size();
-}
-
-std::vector<PolygonSteps> tallest(std::vector<PolygonSteps> polygons) {
-    if (polygons.size() <= 1) return polygons;
-    const auto found = std::max_element(polygons.begin(), polygons.end(), is_less_tall);
+/// The one that crosses most scanlines; of several the first.
+Seen tallest(const Seen& seen) {
+    if (seen.size() <= 1) return seen;
+    const auto found = std::ranges::max_element(seen, {}, &render::SeenPolygon::scanlines);
     std::fprintf(stderr,
                  "scanlight: %zu polygons are seen; this is %u, the tallest (see --polygon)\n",
-                 polygons.size(), found->id);
+                 seen.size(), found->id);
     return {*found};
 }
 
-std::vector<PolygonSteps> with_number(std::vector<PolygonSteps> polygons, const std::string& text) {
+Seen with_number(const Seen& seen, const std::string& text) {
     const double number = parse_number(text, "polygon");
-    std::erase_if(polygons, [number](const auto& steps) { return steps.id != number; });
-    if (polygons.empty()) throw UsageError("polygon " + text + " is not seen, or not there at all");
-    return polygons;
+    Seen found;
+    std::ranges::copy_if(seen, std::back_inserter(found),
+                         [number](const auto& polygon) { return polygon.id == number; });
+    if (found.empty()) throw UsageError("polygon " + text + " is not seen, or not there at all");
+    return found;
 }
 
-std::vector<PolygonSteps> chosen(std::vector<PolygonSteps> polygons, const std::string& polygon) {
-    if (polygon.empty()) return tallest(std::move(polygons));
-    return polygon == "all" ? polygons : with_number(std::move(polygons), polygon);
+Seen chosen(const Seen& seen, const std::string& polygon) {
+    if (polygon.empty()) return tallest(seen);
+    return polygon == "all" ? seen : with_number(seen, polygon);
+}
+
+std::vector<PolygonSteps> trace(const render::Scene& scene, const SceneOptions& options,
+                                const Seen& polygons) {
+    auto traced = render::trace_polygons(scene, options.settings, options.size, polygons);
+    for (auto& steps : traced)
+        steps = with_grey_as_one(std::move(steps));
+    return traced;
 }
 
 std::string title_of(const PolygonSteps& steps, const StepsOptions& options) {
@@ -70,11 +79,9 @@ void steps(const StepsOptions& options) {
     for (const auto& warning : warnings_of(model))
         std::fprintf(stderr, "scanlight: %s\n", warning.c_str());
     const render::Scene scene = scene_of(model, options.scene);
-    auto seen = render::trace_polygons(scene, options.scene.settings, options.scene.size);
+    const Seen seen = render::seen_polygons(scene, options.scene.settings, options.scene.size);
+    const auto polygons = trace(scene, options.scene, chosen(seen, options.polygon));
     const StepsSource source{options.scene, scene.camera, seen.size()};
-    auto polygons = chosen(std::move(seen), options.polygon);
-    for (auto& polygon : polygons)
-        polygon = with_grey_as_one(std::move(polygon));
     if (polygons.empty()) std::fprintf(stderr, "scanlight: no polygon is seen\n");
     raster::save_file(options.output,
                       options.json ? steps_json(source, polygons) : texts_of(polygons, options));

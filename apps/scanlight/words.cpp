@@ -47,4 +47,9 @@ Words<render::Projection> words_beside(render::Projection) {
     return {{"perspective", perspective}, {"orthographic", orthographic}};
 }
 
+Words<DrawPath> words_beside(DrawPath) {
+    using enum DrawPath;
+    return {{"fast", fast}, {"textbook", textbook}};
+}
+
 }  // namespace scanlight::apps

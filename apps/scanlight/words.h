@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/scanlight/means.h"
 #include "apps/scanlight/scene_options.h"
 
 namespace scanlight::apps {
@@ -24,6 +25,7 @@ Words<render::Sides> words_beside(render::Sides);
 Words<render::Distances> words_beside(render::Distances);
 Words<mesh::NormalWeight> words_beside(mesh::NormalWeight);
 Words<render::Projection> words_beside(render::Projection);
+Words<DrawPath> words_beside(DrawPath);
 
 template <class Choice>
 std::string word_of(Choice value) {

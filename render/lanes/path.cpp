@@ -32,31 +32,31 @@ void set_up_planes(const ObjectPass& pass, raster::AttributeRecords& records) {
 
 template <class Technique>
 std::size_t shade_rows(const Technique& technique, raster::VisibleBand& band, ShadeScratch& scratch,
-                       const Target& target) {
+                       const Target& target, Background background) {
     const auto width = static_cast<std::size_t>(band.width());
     if (scratch.row.x.size() < width + lane_count) scratch.row.resize(width + lane_count);
     std::size_t pixels = 0;
     for (int y = band.rows().y_begin; y < band.rows().y_end; ++y) {
         shade_row(technique, scratch.records, band, y, scratch.row);
-        pixels += store_row(scratch.row, band, y, target);
+        pixels += store_row(scratch.row, band, y, target, background);
     }
     return pixels;
 }
 
 std::size_t shade_band(const ObjectPass& pass, raster::VisibleBand& band, ShadeScratch& scratch,
-                       const Target& target) {
+                       const Target& target, Background background) {
     switch (pass.settings->shading) {
         case Shading::flat:
-            return shade_rows(FlatLanes(pass, scratch), band, scratch, target);
+            return shade_rows(FlatLanes(pass, scratch), band, scratch, target, background);
         case Shading::gouraud:
-            return shade_rows(GouraudLanes(pass), band, scratch, target);
+            return shade_rows(GouraudLanes(pass), band, scratch, target, background);
         case Shading::phong:
             break;
     }
     return with_model(*pass.settings, [&](auto model) {
         return with_paint(pass.mesh(), [&](auto paint) {
             using Technique = PhongLanes<decltype(model), paint>;
-            return shade_rows(Technique(pass, scratch, model), band, scratch, target);
+            return shade_rows(Technique(pass, scratch, model), band, scratch, target, background);
         });
     });
 }

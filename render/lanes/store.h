@@ -11,12 +11,14 @@ using namespace raster::HWY_NAMESPACE;
 // How a row of colours becomes pixels, where something is shown. Each returns how many there were.
 
 inline std::size_t store_floats(const VectorStreams& row, const raster::Item* items,
-                                std::span<raster::Rgba> to) {
+                                const FloatTarget& target, int y, Background background) {
+    const auto to = target.plane->row(y);
     std::size_t pixels = 0;
     for (std::size_t x = 0; x < to.size(); ++x) {
-        if (items[x] < 0) continue;
-        to[x] = raster::Rgba(row.x[x], row.y[x], row.z[x], 1.0f);
-        ++pixels;
+        const bool shown = items[x] >= 0;
+        if (shown) to[x] = raster::Rgba(row.x[x], row.y[x], row.z[x], 1.0f);
+        if (!shown && background == Background::drawn) to[x] = target.background;
+        pixels += shown ? 1 : 0;
     }
     return pixels;
 }
@@ -36,34 +38,47 @@ inline Ints load_some(const std::int32_t* from, int room) {
     return load(values);
 }
 
+/// The pixels that are there already.
+inline Ints kept(const std::int32_t* from, int room) {
+    if (room >= lane_count) return load(from);
+    std::int32_t values[lane_count] = {};
+    std::copy_n(from, room, values);
+    return load(values);
+}
+
 template <raster::Encoding encoding>
 SCANLIGHT_FLATTEN std::size_t store_packed(const VectorStreams& row, const raster::Item* items,
-                                           std::span<raster::PackedPixel> to) {
-    auto* const out = reinterpret_cast<std::int32_t*>(to.data());
-    const int width = static_cast<int>(to.size());
+                                           const PackedTarget& target, int y,
+                                           Background background) {
+    auto* const out = reinterpret_cast<std::int32_t*>(target.plane->row(y).data());
+    const Ints nothing(static_cast<std::int32_t>(target.background));
+    const int width = target.plane->width();
     std::size_t pixels = 0;
     for (int x = 0; x < width; x += lane_count) {
         const Mask shown = Ints(-1) < load(items + x);
-        if (!any(shown)) continue;
+        const int room = width - x;
+        if (!any(shown)) {
+            if (background == Background::drawn) store_some(nothing, room, out + x);
+            continue;
+        }
         const Ints packed = pack_lanes<encoding>(load(row.x.data() + x), load(row.y.data() + x),
                                                  load(row.z.data() + x));
-        const int room = width - x;
-        store_some(all(shown) ? packed : select(shown, packed, load_some(out + x, room)), room,
-                   out + x);
+        const Ints other = background == Background::drawn ? nothing : kept(out + x, room);
+        store_some(select(shown, packed, other), room, out + x);
         pixels += static_cast<std::size_t>(count(shown));
     }
     return pixels;
 }
 
 inline std::size_t store_row(const VectorStreams& row, raster::VisibleBand& band, int y,
-                             const Target& target) {
+                             const Target& target, Background background) {
     const raster::Item* items = band.item_row(y);
     if (const auto* floats = std::get_if<FloatTarget>(&target))
-        return store_floats(row, items, floats->plane->row(y));
+        return store_floats(row, items, *floats, y, background);
     const auto& packed = std::get<PackedTarget>(target);
     return packed.encoding == raster::Encoding::srgb
-               ? store_packed<raster::Encoding::srgb>(row, items, packed.plane->row(y))
-               : store_packed<raster::Encoding::linear>(row, items, packed.plane->row(y));
+               ? store_packed<raster::Encoding::srgb>(row, items, packed, y, background)
+               : store_packed<raster::Encoding::linear>(row, items, packed, y, background);
 }
 
 }  // namespace scanlight::render::HWY_NAMESPACE

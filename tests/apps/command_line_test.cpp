@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "render/renderer.h"
 #include "tests/apps/shell.h"
 
 namespace scanlight::apps {
@@ -107,6 +108,9 @@ const std::vector<BadValues> bad_values{
     {"--gouraud71-k", {"0", "nan"}},
     {"--ambient", {"-1", "1e300", "#12345", "nan"}},
     {"--background", {"clear", "#xyz"}},
+    {"--path", {"slow", "", "Fast"}},
+    {"--threads", {"-1", "257", "1.5", "x", "nan", ""}},
+    {"--instructions", {"MMX", "", "fastest"}},
 };
 
 TEST(Mistakes, InAnOptionOfTheSceneLeaveNoOutput) {
@@ -150,6 +154,21 @@ TEST(Mistakes, InTheOutputAreSaidBeforeTheInputIsRead) {
     const Shell shell;
     const Outcome outcome = shell.run("scanlight render nosuchfile.obj -o out.gif");
     EXPECT_NE(outcome.err.find("out.gif"), std::string::npos) << outcome.err;
+}
+
+TEST(Mistakes, OfInstructionsNameThoseThereAre) {
+    const std::string err = Shell().run("scanlight render cube -o out.png --instructions MMX").err;
+    for (const auto name : render::instruction_sets())
+        EXPECT_NE(err.find(name), std::string::npos) << err;
+}
+
+TEST(Mistakes, OfMeansThatTheTextbooksWalkHasNot) {
+    const Shell shell;
+    const std::string line = "scanlight render cube -s 8x8 -o out.png --path textbook ";
+    expect_refused(shell, line + "--threads 2");
+    for (const auto name : render::instruction_sets())
+        expect_refused(shell, line + "--instructions " + std::string(name));
+    EXPECT_EQ(shell.run(line + "--threads 1").status, 0);
 }
 
 TEST(Mistakes, OfGreyForColoursNameWhatHoldsColours) {

@@ -115,6 +115,11 @@ TEST_P(Golden, Matches) {
     EXPECT_TRUE(matches_golden(GetParam().name, draw_figure(GetParam(), panel_size)));
 }
 
+TEST_P(Golden, IsTheSameByTheTextbooksWalk) {
+    EXPECT_TRUE(draw_figure(GetParam(), panel_size) ==
+                draw_figure(GetParam(), panel_size, {DrawPath::textbook, {}}));
+}
+
 std::string test_name(const testing::TestParamInfo<Figure>& info) {
     std::string name = info.param.name;
     for (char& c : name)

@@ -8,6 +8,7 @@
 #include "mesh/solids.h"
 #include "raster/compare.h"
 #include "raster/load_image.h"
+#include "render/renderer.h"
 #include "tests/apps/shell.h"
 
 namespace scanlight::apps {
@@ -252,6 +253,68 @@ TEST(Render, TheShapesFirstSideIsTheOnlyOneLit) {
     EXPECT_EQ(shell.run("scanlight diff one.png two.png").status, 1);
 }
 
+TEST(Render, CulledPolygonsShowNoEdges) {
+    const Shell shell;
+    const std::string line = "scanlight render cube -q -s 48x36 --wireframe -o ";
+    run(shell, line + "all.png");
+    run(shell, line + "culled.png --cull back");
+    EXPECT_EQ(shell.run("scanlight diff all.png culled.png").status, 1);
+}
+
+// ---- the two paths
+
+/// Draws what the options say, bytes, floats and depths, into files of these names.
+void draw_all(const Shell& shell, const std::string& options, const std::string& name) {
+    const std::string line = "scanlight render -q -s 61x47 " + options + " -o " + name;
+    run(shell, line + ".png --aov depth:" + name + "-z.pfm");
+    run(shell, line + ".pfm");
+}
+
+void expect_same_files(const Shell& shell, const std::string& name, const std::string& other,
+                       const std::string& what) {
+    for (const auto* ending : {".png", "-z.pfm", ".pfm"}) {
+        EXPECT_NE(shell.read(name + ending), "") << what;
+        EXPECT_TRUE(shell.read(name + ending) == shell.read(other + ending)) << what << ending;
+    }
+}
+
+TEST(Paths, DrawTheSameFiles) {
+    const Shell shell;
+    for (const std::string options :
+         {"teapot:3", "teapot:3 --shading flat --cull back", "star:9 --shading gouraud",
+          "torus:10,6 --shading gouraud --sides one --view 30,-40",
+          "cube --shading gouraud --interpolation triangulated --perspective affine",
+          "plane:2 --eye 0,0.3,0.4 --target 0,0,0 --illumination blinn --light point:0,0.4,0",
+          "sphere:9,5 --illumination gouraud71 --shading gouraud --distances infinite",
+          "cylinder:7 --wireframe=over", "cylinder:7 --wireframe=hidden --cull back"}) {
+        draw_all(shell, options + " --path fast", "fast");
+        draw_all(shell, options + " --path textbook", "textbook");
+        expect_same_files(shell, "fast", "textbook", options);
+    }
+}
+
+TEST(Paths, DrawTheSameAlpha) {
+    const Shell shell;
+    const std::string line = "scanlight render ngon:64 --view 0,0 -s 32x32 --background none -o ";
+    run(shell, line + "fast.png");
+    run(shell, line + "textbook.png --path textbook");
+    EXPECT_EQ(shell.read("fast.png"), shell.read("textbook.png"));
+}
+
+TEST(Paths, DrawTheSameByAnyThreadsAndInstructions) {
+    const Shell shell;
+    const std::string options = "teapot:3 --shading gouraud ";
+    draw_all(shell, options, "a");
+    for (const auto* threads : {"0", "1", "3", "16"}) {
+        for (const auto instructions : render::instruction_sets()) {
+            const std::string means = std::string("--threads ") + threads + " --instructions " +
+                                      std::string(instructions);
+            draw_all(shell, options + means, "b");
+            expect_same_files(shell, "a", "b", means);
+        }
+    }
+}
+
 // ---- data
 
 TEST(Aov, DepthIsSixteenBitsOrADistance) {
@@ -336,6 +399,43 @@ TEST(Stats, AsJsonAreOnStandardOutput) {
         EXPECT_GE(time.get<double>(), 0.0) << name;
         EXPECT_LT(time.get<double>(), 60000.0) << name;
         EXPECT_LE(time.dump().size(), 14u) << "more digits than a float has: " << time.dump();
+    }
+}
+
+Json stats_of(const Shell& shell, const std::string& options) {
+    return Json::parse(
+        run(shell, "scanlight render cube -o a.png -s 32x24 -q --stats json " + options).out);
+}
+
+TEST(Stats, OfTheFastPathTellItsMeansStagesAndMemory) {
+    const Json stats = stats_of(Shell(), "--threads 3");
+    EXPECT_EQ(stats["path"], "fast");
+    EXPECT_EQ(stats["threads"], 3);
+    EXPECT_EQ(stats["instructions"], render::instruction_sets().front());
+    EXPECT_EQ(stats["megapixels"], 32 * 24 / 1e6);
+    EXPECT_GT(stats["pixels"]["shaded"], 0);
+    EXPECT_LE(stats["pixels"]["shaded"], stats["pixels"]["passed"]);
+    const Json& times = stats["milliseconds"];
+    double stages = 0.0;
+    for (const auto* stage : {"vertices", "bins", "bands"})
+        stages += times[stage].get<double>();
+    EXPECT_GT(stages, 0.0);
+    EXPECT_LE(stages, times["draw"].get<double>());
+    EXPECT_TRUE(stats["memory"]["working_bytes"].is_number_unsigned());
+    EXPECT_GT(stats["memory"]["peak_bytes"], 1'000'000);
+    EXPECT_LT(stats["memory"]["peak_bytes"], 1'000'000'000);
+}
+
+TEST(Stats, OfTheTextbooksWalkTellNoStages) {
+    for (const auto* options : {"--path textbook", "--wireframe", "--wireframe=hidden"}) {
+        const Json stats = stats_of(Shell(), options);
+        EXPECT_EQ(stats["path"], "textbook") << options;
+        EXPECT_EQ(stats["threads"], 1);
+        EXPECT_EQ(stats["instructions"], nullptr);
+        EXPECT_EQ(stats["milliseconds"]["bands"], nullptr);
+        EXPECT_EQ(stats["memory"]["working_bytes"], nullptr);
+        EXPECT_GT(stats["memory"]["peak_bytes"], 1'000'000);
+        EXPECT_GT(stats["pixels"]["passed"], 0);
     }
 }
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "apps/peers/agreement.h"
+#include "apps/peers/alternate.h"
+#include "apps/peers/gl_target.h"
+#include "apps/peers/stage.h"
+#include "render/renderer.h"
+
+namespace scanlight::peers {
+
+/// Two renderers that drew one stage in turns; seconds a frame, round by round.
+struct Outcome {
+    Times ours;
+    Times theirs;
+    Agreement agreement;
+};
+
+/// Compares the pictures, then the times. Where the pictures disagree, there are no times.
+Outcome contest(render::Renderer& ours, const GlTarget& theirs, const Stage& stage,
+                const render::Settings& settings, int rounds);
+
+}  // namespace scanlight::peers

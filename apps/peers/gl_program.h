@@ -1,0 +1,15 @@
+#pragma once
+
+#include "apps/peers/gl.h"
+#include "render/frame.h"
+#include "render/scene.h"
+
+namespace scanlight::peers {
+
+/// A program in GLSL that lights as Scanlight does by these settings (Phong's or Blinn's model),
+/// ready to draw `GlGeometry` with. A whole exponent is squarings here as there: `pow` is slower.
+/// Throws std::runtime_error with the compiler's words; std::invalid_argument for another model.
+GLuint gl_program(const render::Settings& settings, const shading::Material<float>& material,
+                  const render::Frame& frame);
+
+}  // namespace scanlight::peers

@@ -1,0 +1,34 @@
+#include "tests/same_bits/ways.h"
+
+namespace scanlight::same_bits {
+
+std::vector<render::Renderer> renderers(std::span<const int> threads) {
+    std::vector<render::Renderer> all;
+    for (const std::string_view instructions : render::instruction_sets()) {
+        for (const int count : threads)
+            all.emplace_back(render::Execution{count, instructions});
+    }
+    return all;
+}
+
+std::string name_of(const render::Renderer& renderer) {
+    return std::string(renderer.instructions()) + ", " + std::to_string(renderer.threads()) +
+           " threads";
+}
+
+render::Drawing draw(const TestScene& test, render::Renderer& renderer) {
+    // Neither the background's colour nor its depth: each pixel is to be written.
+    render::Drawing drawing{raster::Framebuffer(test.size, raster::Rgba(-7.0f)), {}};
+    drawing.framebuffer.depth = raster::Plane<raster::Depth>(test.size, -7);
+    drawing.counts =
+        renderer
+            .draw(test.scene, test.settings, drawing.framebuffer.color, &drawing.framebuffer.depth)
+            .counts;
+    return drawing;
+}
+
+render::Drawing draw(const TestScene& test) {
+    return render::draw(test.scene, test.settings, test.size);
+}
+
+}  // namespace scanlight::same_bits
