@@ -48,7 +48,7 @@ inline constexpr std::size_t record_fields = sizeof(AttributeRecord) / sizeof(st
 struct AttributeRecords {
     int attribute_count = 0;
     std::vector<AttributeRecord> attributes;  // attribute_count for each record, one after another
-    std::vector<std::int32_t> face;  // FaceItem; with `walk_flag`, it is of one span only
+    std::vector<std::int32_t> face;           // FaceItem; with `walk_flag`, it is of one span only
     std::size_t count = 0;
     bool has_fractions = false;  // else they are all 0
 
