@@ -58,13 +58,13 @@ Row random_row(Random& random, int width) {
 
 constexpr Item drawn = 123456;
 
-/// By the scanline walk.
+/// By the scanline walk, which has no use for the overrun.
 std::size_t walk_span(Row& row, int x_begin, int x_end, const Ramp& ramp) {
-    const auto width = static_cast<int>(row.depth.size());
+    const auto width = static_cast<int>(row.depth.size()) - VisibleBand::overrun;
     Plane<Depth> depth({width, 1}, 0);
     Plane<Item> items({width, 1}, 0);
-    std::ranges::copy(row.depth, depth.row(0).begin());
-    std::ranges::copy(row.items, items.row(0).begin());
+    std::copy_n(row.depth.begin(), width, depth.row(0).begin());
+    std::copy_n(row.items.begin(), width, items.row(0).begin());
     const auto shade = [](const Fragment<0>&) { return drawn; };
     const std::size_t passed =
         draw_span(Span<0>{0, x_begin, x_end, {ramp, {}}}, depth, items, shade);
