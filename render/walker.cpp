@@ -99,6 +99,7 @@ void Walker::draw(raster::FaceItem face, bool has_plane) {
 /// How many pixels of the span come to be seen, as those of the record to come.
 template <int N>
 std::size_t Walker::draw(const raster::Span<N>& span) {
+    band_.touch(span.x_begin, span.x_end);
     const std::size_t passed =
         path_.draw_span(band_.depth_row(span.y), band_.item_row(span.y), span.x_begin, span.x_end,
                         span.ramps.depth, static_cast<raster::Item>(records_.count));

@@ -53,6 +53,7 @@ private:
 
     void draw_small(const PreparedTriangles& prepared, int lane, FaceItem face) {
         const auto record = static_cast<Item>(records_.count);
+        band_.touch(prepared.x_begin[lane], prepared.x_end[lane]);
         const PixelCounts pixels = SmallTriangle(prepared, lane, record, band_).draw();
         band_.counts() += pixels;
         // Written in any case, it counts only if the triangle is seen somewhere.

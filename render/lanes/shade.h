@@ -277,7 +277,8 @@ SCANLIGHT_FLATTEN void shade_row(const Technique& technique,
                                  const raster::AttributeRecords& records, raster::VisibleBand& band,
                                  int y, VectorStreams& row) {
     PixelLanes pixels;
-    for (int x = 0; x < band.width(); x += lane_count) {
+    const raster::Columns columns = band.touched();
+    for (int x = columns.begin; x < columns.end; x += lane_count) {
         if (!read_pixels(records, band, x, y, pixels)) continue;
         const ColorLanes color = technique.shade(pixels);
         store(color.x, row.x.data() + x);

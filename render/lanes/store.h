@@ -31,13 +31,6 @@ inline void store_some(Ints pixels, int room, std::int32_t* to) {
     std::copy_n(values, room, to);
 }
 
-inline Ints load_some(const std::int32_t* from, int room) {
-    if (room >= lane_count) return load(from);
-    std::int32_t values[lane_count] = {};
-    std::copy_n(from, room, values);
-    return load(values);
-}
-
 /// The pixels that are there already.
 inline Ints kept(const std::int32_t* from, int room) {
     if (room >= lane_count) return load(from);
@@ -46,21 +39,16 @@ inline Ints kept(const std::int32_t* from, int room) {
     return load(values);
 }
 
+/// Columns [begin, end), all of which may be seen.
 template <raster::Encoding encoding>
-SCANLIGHT_FLATTEN std::size_t store_packed(const VectorStreams& row, const raster::Item* items,
-                                           const PackedTarget& target, int y,
-                                           Background background) {
-    auto* const out = reinterpret_cast<std::int32_t*>(target.plane->row(y).data());
+SCANLIGHT_FLATTEN std::size_t store_columns(const VectorStreams& row, const raster::Item* items,
+                                            raster::Columns columns, const PackedTarget& target,
+                                            std::int32_t* out, Background background) {
     const Ints nothing(static_cast<std::int32_t>(target.background));
-    const int width = target.plane->width();
     std::size_t pixels = 0;
-    for (int x = 0; x < width; x += lane_count) {
-        const Mask shown = Ints(-1) < load(items + x);
-        const int room = width - x;
-        if (!any(shown)) {
-            if (background == Background::drawn) store_some(nothing, room, out + x);
-            continue;
-        }
+    for (int x = columns.begin; x < columns.end; x += lane_count) {
+        const int room = columns.end - x;
+        const Mask shown = first_lanes(std::min(room, lane_count)) & (Ints(-1) < load(items + x));
         const Ints packed = pack_lanes<encoding>(load(row.x.data() + x), load(row.y.data() + x),
                                                  load(row.z.data() + x));
         const Ints other = background == Background::drawn ? nothing : kept(out + x, room);
@@ -70,6 +58,19 @@ SCANLIGHT_FLATTEN std::size_t store_packed(const VectorStreams& row, const raste
     return pixels;
 }
 
+template <raster::Encoding encoding>
+std::size_t store_packed(const VectorStreams& row, raster::VisibleBand& band, int y,
+                         const PackedTarget& target, Background background) {
+    const auto to = target.plane->row(y);
+    const raster::Columns columns = band.touched();
+    if (background == Background::drawn) {
+        std::fill_n(to.begin(), columns.begin, target.background);
+        std::fill(to.begin() + columns.end, to.end(), target.background);
+    }
+    return store_columns<encoding>(row, band.item_row(y), columns, target,
+                                   reinterpret_cast<std::int32_t*>(to.data()), background);
+}
+
 inline std::size_t store_row(const VectorStreams& row, raster::VisibleBand& band, int y,
                              const Target& target, Background background) {
     const raster::Item* items = band.item_row(y);
@@ -77,8 +78,8 @@ inline std::size_t store_row(const VectorStreams& row, raster::VisibleBand& band
         return store_floats(row, items, *floats, y, background);
     const auto& packed = std::get<PackedTarget>(target);
     return packed.encoding == raster::Encoding::srgb
-               ? store_packed<raster::Encoding::srgb>(row, items, packed, y, background)
-               : store_packed<raster::Encoding::linear>(row, items, packed, y, background);
+               ? store_packed<raster::Encoding::srgb>(row, band, y, packed, background)
+               : store_packed<raster::Encoding::linear>(row, band, y, packed, background);
 }
 
 }  // namespace scanlight::render::HWY_NAMESPACE
