@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "raster/streams.h"
 #include "raster/polygon_streams.h"
 #include "raster/span.h"
 
@@ -62,16 +63,12 @@ struct AttributeRecords {
 
     /// Room for n records, and a vector more.
     void reserve(std::size_t n) {
-        constexpr std::size_t most_lanes = 64;
         if (face.size() >= n + most_lanes) return;
         face.resize(2 * n + most_lanes);
         attributes.resize(face.size() * static_cast<std::size_t>(attribute_count));
     }
 
-    std::size_t bytes() const {
-        return attributes.capacity() * sizeof(AttributeRecord) +
-               face.capacity() * sizeof(std::int32_t);
-    }
+    std::size_t bytes() const { return bytes_held(attributes, face); }
 
     std::span<AttributeRecord> of(std::size_t record) {
         const auto n = static_cast<std::size_t>(attribute_count);

@@ -15,67 +15,66 @@ std::vector<ScreenVertex<0>> corners_of(const PolygonStreams& streams, std::size
     return corners;
 }
 
-struct Outside {
-    std::int32_t of_one_plane = ~0;  // bits of planes beyond which all corners lie
-    std::int32_t of_any = 0;
-};
-
-Outside outside(const PolygonStreams& streams, std::size_t face) {
-    Outside result;
-    for (const std::uint32_t v : streams.face(face)) {
-        result.of_one_plane &= streams.outside[v];
-        result.of_any |= streams.outside[v];
-    }
-    return result;
+Rows rows_of(const std::vector<ScreenVertex<0>>& corners) {
+    const auto [top, bottom] = std::minmax_element(
+        corners.begin(), corners.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
+    return {first_centre(top->y), first_centre(bottom->y)};
 }
 
-/// Sorts the polygons that the culler of triangles passed on, and joins them to the others.
-class Sorter {
+/// Culls those polygons one by one that the culler of triangles passed on.
+class OneByOne {
 public:
-    Sorter(const PolygonStreams& streams, CullRule rule, const ClipFace& clip_face, Bin& bin)
-        : streams_(streams), rule_(rule), clip_face_(clip_face), bin_(bin) {}
+    OneByOne(const PolygonStreams& streams, CullRule rule, const ClipFace& clip_face,
+             FateCounts& fates)
+        : streams_(streams), rule_(rule), clip_face_(clip_face), fates_(fates) {}
 
-    /// Fills in the rows, or takes the polygon out by giving it none.
+    /// Fills in the polygon's rows and flags, or takes it out by giving it no rows.
     void settle(Survivors& survivors, std::size_t i) {
-        survivors.y_begin[i] = survivors.y_end[i] = 0;
-        const auto face =
-            static_cast<std::size_t>(static_cast<FaceItem>(survivors.item[i]) & face_mask);
-        const Outside where = outside(streams_, face);
-        const bool whole = where.of_any == 0;
-        std::vector<ScreenVertex<0>> corners;
-        if (whole) corners = corners_of(streams_, face);
-        if (!whole && where.of_one_plane == 0) corners = clip_face_(face);
-        if (corners.size() < 3) {
-            ++bin_.fates.outside;
-            return;
-        }
-        const std::int64_t area = signed_area(corners);
-        const bool back = (area >= 0) == streams_.mirrored;
-        if (back ? rule_.back : rule_.front) {
-            ++bin_.fates.culled;
-            return;
-        }
-        ++bin_.fates.drawn;
-        const Rows rows = rows_of(corners);
-        if (area == 0 && corners.size() == 3) return;
-        survivors.y_begin[i] = rows.y_begin;
-        survivors.y_end[i] = rows.y_end;
-        FaceItem item = static_cast<FaceItem>(face) | (back ? back_flag : 0);
-        if (corners.size() != 3 || !whole) item |= walk_flag;
-        survivors.item[i] = static_cast<std::int32_t>(item);
+        const FaceItem face = static_cast<FaceItem>(survivors.item[i]) & face_mask;
+        const Seen seen = part_inside(face);
+        const bool back = (signed_area(seen.corners) >= 0) == streams_.mirrored;
+        const Rows rows = is_drawn(seen, back) ? rows_of(seen.corners) : Rows{0, 0};
+        survivors.set(i, face | (back ? back_flag : 0) | (is_walked(seen) ? walk_flag : 0), rows);
     }
 
 private:
-    static Rows rows_of(const std::vector<ScreenVertex<0>>& corners) {
-        const auto [top, bottom] = std::minmax_element(
-            corners.begin(), corners.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
-        return {first_centre(top->y), first_centre(bottom->y)};
+    /// What of a face is inside the view volume.
+    struct Seen {
+        std::vector<ScreenVertex<0>> corners;
+        bool whole;
+    };
+
+    Seen part_inside(FaceItem face) const {
+        std::int32_t of_one_plane = ~0;  // bits of planes beyond which all corners lie
+        std::int32_t of_any = 0;
+        for (const std::uint32_t v : streams_.face(face)) {
+            of_one_plane &= streams_.outside[v];
+            of_any |= streams_.outside[v];
+        }
+        if (of_any == 0) return {corners_of(streams_, face), true};
+        if (of_one_plane != 0) return {{}, false};
+        return {clip_face_(face), false};
     }
+
+    bool is_drawn(const Seen& seen, bool back) {
+        if (seen.corners.size() < 3) {
+            ++fates_.outside;
+            return false;
+        }
+        if (back ? rule_.back : rule_.front) {
+            ++fates_.culled;
+            return false;
+        }
+        ++fates_.drawn;
+        return seen.corners.size() != 3 || signed_area(seen.corners) != 0;
+    }
+
+    static bool is_walked(const Seen& seen) { return seen.corners.size() != 3 || !seen.whole; }
 
     const PolygonStreams& streams_;
     CullRule rule_;
     const ClipFace& clip_face_;
-    Bin& bin_;
+    FateCounts& fates_;
 };
 
 /// Counting sort, which keeps the order.
@@ -106,13 +105,12 @@ void sort_into_bands(const Survivors& survivors, const Bands& bands, Bin& bin) {
 void fill_bin(const PolygonStreams& streams, CullRule rule, std::size_t begin, std::size_t end,
               const Bands& bands, CullFaces cull, const ClipFace& clip_face, Survivors& scratch,
               Bin& bin) {
-    constexpr std::size_t most_lanes = 64;
     bin.fates = {};
     scratch.reserve(end - begin + most_lanes);
     cull(streams, rule, begin, end, scratch, bin.fates);
-    Sorter sorter(streams, rule, clip_face, bin);
+    OneByOne one_by_one(streams, rule, clip_face, bin.fates);
     for (std::size_t i = 0; i < scratch.count; ++i) {
-        if ((static_cast<FaceItem>(scratch.item[i]) & walk_flag) != 0) sorter.settle(scratch, i);
+        if (scratch.is_passed_on(i)) one_by_one.settle(scratch, i);
     }
     sort_into_bands(scratch, bands, bin);
 }

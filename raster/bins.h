@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "raster/streams.h"
 #include "raster/polygon_streams.h"
 #include "raster/rows.h"
 
@@ -30,6 +31,7 @@ struct Bin {
     std::vector<std::size_t> begin;  // bands + 1 of them, into `items`
     FateCounts fates;
 
+    std::size_t bytes() const { return bytes_held(items, begin); }
     std::span<const FaceItem> band(int i) const {
         const auto k = static_cast<std::size_t>(i);
         return std::span(items).subspan(begin[k], begin[k + 1] - begin[k]);

@@ -4,7 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "raster/streams.h"
 #include "raster/clip.h"
+#include "raster/rows.h"
 #include "raster/vertex.h"
 
 namespace scanlight::raster {
@@ -71,11 +73,16 @@ struct Survivors {
         y_begin.resize(n);
         y_end.resize(n);
     }
-    void push(FaceItem face, int first_row, int row_end) {
-        item[count] = static_cast<std::int32_t>(face);
-        y_begin[count] = first_row;
-        y_end[count] = row_end;
-        ++count;
+    std::size_t bytes() const { return bytes_held(item, y_begin, y_end); }
+    /// A polygon that is yet to be culled.
+    void pass_on(FaceItem face) { item[count++] = static_cast<std::int32_t>(face | walk_flag); }
+    bool is_passed_on(std::size_t i) const {
+        return (static_cast<FaceItem>(item[i]) & walk_flag) != 0;
+    }
+    void set(std::size_t i, FaceItem face, Rows rows) {
+        item[i] = static_cast<std::int32_t>(face);
+        y_begin[i] = rows.y_begin;
+        y_end[i] = rows.y_end;
     }
 };
 

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <vector>
 
+#include "raster/streams.h"
 #include "raster/fixed.h"
 #include "raster/rows.h"
 
@@ -59,7 +60,7 @@ public:
     /// Forgets whose the pixels are and keeps their depth.
     void forget_items() { fill_rows(items_begin_, no_item); }
 
-    std::size_t bytes() const { return memory_.capacity() * sizeof(std::int32_t); }
+    std::size_t bytes() const { return bytes_held(memory_); }
     int width() const { return width_; }
     Rows rows() const { return rows_; }
     /// From a row to the next, in pixels.

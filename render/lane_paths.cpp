@@ -1,47 +1,24 @@
+#include <algorithm>
 #include <vector>
 
+#include "raster/instruction_sets.h"
 #include "render/lane_path.h"
-
-#ifndef SCANLIGHT_X86_LANES
-#include <hwy/highway.h>
-#endif
 
 namespace scanlight::render {
 
-#ifdef SCANLIGHT_X86_LANES
-namespace N_EMU128 {
-extern const LanePath lane_path;
-}
-namespace N_SSE4 {
-extern const LanePath lane_path;
-}
-namespace N_AVX2 {
-extern const LanePath lane_path;
-}
-namespace N_AVX3 {
-extern const LanePath lane_path;
-}
-#else
-namespace HWY_NAMESPACE {
-extern const LanePath lane_path;
-}
-#endif
+SCANLIGHT_FOR_EACH_SET(SCANLIGHT_DECLARE_LANE_PATH)
 
 namespace {
 
 std::vector<const LanePath*> runnable_paths() {
-#ifdef SCANLIGHT_X86_LANES
-    const LanePath* const known[] = {&N_AVX3::lane_path, &N_AVX2::lane_path, &N_SSE4::lane_path,
-                                     &N_EMU128::lane_path};
-#else
-    const LanePath* const known[] = {&HWY_NAMESPACE::lane_path};
-#endif
+    const auto runnable = raster::lane_paths();
     std::vector<const LanePath*> paths;
-    for (const raster::LanePath* runnable : raster::lane_paths()) {
-        for (const LanePath* path : known) {
-            if (path->raster == runnable) paths.push_back(path);
-        }
-    }
+#define ADD(set, runs) paths.push_back(&set::lane_path);
+    SCANLIGHT_FOR_EACH_SET(ADD)
+#undef ADD
+    std::erase_if(paths, [&](const LanePath* path) {
+        return std::ranges::find(runnable, path->raster) == runnable.end();
+    });
     return paths;
 }
 

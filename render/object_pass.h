@@ -32,7 +32,15 @@ struct ObjectPass {
     raster::Attributes attributes;
     std::vector<raster::Bin> bins;  // by stretches of faces
 
+    /// Takes over an object, of which nothing is worked out yet.
+    void begin(const Object&, const Frame&, const Settings&);
+    /// Makes room for the light of the vertices.
+    void begin_vertex_light();
+    /// The vertices are placed and lit: says what is to be interpolated.
+    void end_vertices();
+
     const mesh::Mesh& mesh() const { return *object->mesh; }
+    std::size_t bytes() const;
 };
 
 /// Where the pixels of a picture go: floats, or bytes in an encoding.
@@ -48,6 +56,14 @@ struct PackedTarget {
 
 using Target = std::variant<FloatTarget, PackedTarget>;
 
+inline raster::Viewport size_of(const Target& target) {
+    return std::visit(
+        [](const auto& t) {
+            return raster::Viewport{t.plane->width(), t.plane->height()};
+        },
+        target);
+}
+
 /// Whether what shows nothing is left as it is, or becomes background.
 enum class Background { kept, drawn };
 
@@ -56,6 +72,8 @@ struct ShadeScratch {
     raster::AttributeRecords records;
     VectorStreams face_colors;  // flat: of each record
     VectorStreams row;          // colours of a row of pixels
+
+    std::size_t bytes() const { return records.bytes() + face_colors.bytes() + row.bytes(); }
 };
 
 }  // namespace scanlight::render

@@ -8,6 +8,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "raster/streams.h"
 #include "raster/project.h"
 #include "render/frame.h"
 #include "render/scene.h"
@@ -28,11 +29,8 @@ Placing placing_of(const glm::dmat4& world_from_object, const Frame& frame);
 struct VectorStreams {
     std::vector<float> x, y, z;
 
-    void resize(std::size_t n) {
-        x.resize(n);
-        y.resize(n);
-        z.resize(n);
-    }
+    void resize(std::size_t n);
+    std::size_t bytes() const { return raster::bytes_held(x, y, z); }
     glm::vec3 operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
@@ -45,13 +43,9 @@ struct VertexStreams {
     VectorStreams normals;              // unit, world space; if wanted
 
     /// For n vertices, and a vector's more.
-    void resize(std::size_t n, bool with_points, bool with_normals) {
-        constexpr std::size_t most_lanes = 64;
-        for (auto* stream : {&x, &y, &z, &outside})
-            stream->resize(n + most_lanes);
-        w.resize(n + most_lanes);
-        points.resize(with_points ? n + most_lanes : 0);
-        normals.resize(with_normals ? n + most_lanes : 0);
+    void resize(std::size_t n, bool with_points, bool with_normals);
+    std::size_t bytes() const {
+        return raster::bytes_held(x, y, z, outside, w) + points.bytes() + normals.bytes();
     }
 };
 

@@ -70,10 +70,8 @@ private:
     }
 
     static void pass_on(std::size_t f, int n, Survivors& survivors) {
-        for (int i = 0; i < n; ++i) {
-            const auto face = static_cast<FaceItem>(f + static_cast<std::size_t>(i));
-            survivors.push(face | walk_flag, 0, 0);
-        }
+        for (int i = 0; i < n; ++i)
+            survivors.pass_on(static_cast<FaceItem>(f + static_cast<std::size_t>(i)));
     }
 
     /// False, and nothing done, where one of them is to be clipped.

@@ -76,7 +76,7 @@ inline std::size_t store_row(const VectorStreams& row, raster::VisibleBand& band
     const raster::Item* items = band.item_row(y);
     if (const auto* floats = std::get_if<FloatTarget>(&target))
         return store_floats(row, items, *floats, y, background);
-    const auto& packed = std::get<PackedTarget>(target);
+    const auto& packed = *std::get_if<PackedTarget>(&target);  // std::get could throw
     return packed.encoding == raster::Encoding::srgb
                ? store_packed<raster::Encoding::srgb>(row, band, y, packed, background)
                : store_packed<raster::Encoding::linear>(row, band, y, packed, background);

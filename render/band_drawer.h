@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "raster/visible_band.h"
+#include "render/draw_polygons.h"
+#include "render/lane_path.h"
+#include "render/object_pass.h"
+#include "render/walker.h"
+
+namespace scanlight::render {
+
+/// Draws one band of rows after the other, for one thread: finds out what each pixel shows, then
+/// gives it its light. Keeps its memory from one band, and one picture, to the next.
+class BandDrawer {
+public:
+    /// What all bands share.
+    struct Picture {
+        const LanePath& path;
+        std::span<const ObjectPass> passes;
+        Sides sides;
+        const Target& target;
+        raster::Plane<raster::Depth>* depth;  // may be null
+    };
+
+    /// A picture begins: nothing is counted yet.
+    void begin();
+
+    /// The `number`-th band, which has these rows.
+    void draw(const Picture& picture, int width, raster::Rows rows, int number);
+
+    void add_to(DrawCounts& counts) const;
+    std::size_t bytes() const {
+        return band_.bytes() + shade_.bytes() + raster::bytes_held(items_);
+    }
+
+private:
+    void see(const Picture& picture, const ObjectPass& pass, int number);
+    std::span<const raster::FaceItem> lit_sides(Sides sides,
+                                                std::span<const raster::FaceItem> items);
+    void shade(const Picture& picture, const ObjectPass& pass, Background background);
+    void copy_depth(raster::Plane<raster::Depth>& to);
+
+    raster::VisibleBand band_;
+    ShadeScratch shade_;
+    WalkMemories walks_;
+    std::vector<raster::FaceItem> items_;
+    std::size_t shaded_ = 0;
+};
+
+}  // namespace scanlight::render

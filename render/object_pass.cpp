@@ -1,0 +1,98 @@
+#include "render/object_pass.h"
+
+#include <cassert>
+
+#include "render/gouraud.h"
+
+namespace scanlight::render {
+
+namespace {
+
+raster::PolygonStreams polygons_of(const ObjectPass& pass) {
+    const VertexStreams& v = pass.vertices;
+    return {v.x,
+            v.y,
+            v.z,
+            v.outside,
+            pass.mesh().corners,
+            pass.mesh().face_begin,
+            pass.placing.mirrored};
+}
+
+/// Of each vertex; none where there is one material only.
+std::vector<std::int32_t> materials_of_vertices(const Object& object) {
+    if (object.materials.size() == 1) return {};
+    const auto materials = vertex_materials(*object.mesh);
+    std::vector<std::int32_t> result(materials.begin(), materials.end());
+    result.resize(result.size() + raster::most_lanes);
+    return result;
+}
+
+raster::AttributeStream colors(const std::vector<float>& front, const std::vector<float>& back,
+                               float unit) {
+    return {front.data(), back.empty() ? front.data() : back.data(), 1.0f / unit, 1.0f / unit};
+}
+
+raster::AttributeStream of_both_sides(const std::vector<float>& stream, float back_scale) {
+    return {stream.data(), stream.data(), 1.0f, back_scale};
+}
+
+/// See `GouraudTechnique`.
+void interpolate_intensities(const ObjectPass& pass, raster::Attributes& to) {
+    to.streams[0] = colors(pass.front.x, pass.back.x, pass.unit);
+    to.streams[1] = colors(pass.front.y, pass.back.y, pass.unit);
+    to.streams[2] = colors(pass.front.z, pass.back.z, pass.unit);
+    to.count = 4;  // the last is the constant 1
+}
+
+/// See `PhongTechnique`.
+void interpolate_normals(const ObjectPass& pass, raster::Attributes& to) {
+    const VectorStreams& normals = pass.vertices.normals;
+    to.streams[0] = of_both_sides(normals.x, -1.0f);
+    to.streams[1] = of_both_sides(normals.y, -1.0f);
+    to.streams[2] = of_both_sides(normals.z, -1.0f);
+    to.count = 3;
+    const mesh::Vertices& vertices = pass.mesh().vertices;
+    if (!vertices.has_colors()) return;
+    to.streams[3] = of_both_sides(vertices.red, 1.0f);
+    to.streams[4] = of_both_sides(vertices.green, 1.0f);
+    to.streams[5] = of_both_sides(vertices.blue, 1.0f);
+    to.count = 7;
+}
+
+}  // namespace
+
+std::size_t ObjectPass::bytes() const {
+    std::size_t sum = vertices.bytes() + front.bytes() + back.bytes();
+    sum += raster::bytes_held(vertex_material, bins);
+    for (const raster::Bin& bin : bins)
+        sum += bin.bytes();
+    return sum;
+}
+
+void ObjectPass::begin(const Object& begun, const Frame& its_frame, const Settings& its_settings) {
+    assert(begun.materials.size() == begun.mesh->materials.size());
+    object = &begun;
+    frame = &its_frame;
+    settings = &its_settings;
+    placing = placing_of(object->world_from_object, *frame);
+    vertices.resize(mesh().vertices.size(), settings->shading != Shading::phong,
+                    settings->shading != Shading::flat);
+    polygons = polygons_of(*this);
+}
+
+void ObjectPass::begin_vertex_light() {
+    vertex_material = materials_of_vertices(*object);
+    front.resize(vertices.w.size());
+    back.resize(settings->sides == Sides::two ? vertices.w.size() : 0);
+}
+
+void ObjectPass::end_vertices() {
+    attributes = {};
+    attributes.w = vertices.w;
+    attributes.perspective_correct = settings->perspective == Perspective::correct;
+    if (settings->shading == Shading::gouraud) interpolate_intensities(*this, attributes);
+    if (settings->shading == Shading::phong) interpolate_normals(*this, attributes);
+}
+
+}  // namespace scanlight::render
