@@ -54,6 +54,7 @@ DrawCounts draw_polygons(const PlacedMesh& placed, const Technique& technique, c
         };
         filler.fill(std::span(polygon.corners), raster::Interpolation::planar, draw);
     }
+    counts.pixels_shaded = counts.pixels_passed;  // lit as soon as they are seen
     return counts;
 }
 

@@ -237,6 +237,15 @@ TEST(Visibility, NothingIsDrawnOfNothing) {
     }
 }
 
+TEST(Visibility, EveryPixelThatPassesIsLit) {
+    const auto mesh = shape_mesh("teapot:3");
+    for (const Shading shading : all_shadings) {
+        const Drawing drawing = draw(scene_of(mesh, {{}, size}), shaded(shading), size);
+        EXPECT_GE(drawing.counts.pixels_passed, covered_pixels(drawing.framebuffer.depth));
+        EXPECT_EQ(drawing.counts.pixels_shaded, drawing.counts.pixels_passed);
+    }
+}
+
 TEST(Visibility, WhatIsBehindTheCameraIsOutside) {
     const auto mesh = shape_mesh("teapot:3");
     Scene scene = scene_of(mesh, {{}, size});
