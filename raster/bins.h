@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "raster/streams.h"
 #include "raster/polygon_streams.h"
 #include "raster/rows.h"
+#include "raster/streams.h"
 
 namespace scanlight::raster {
 

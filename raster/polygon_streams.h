@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "raster/streams.h"
 #include "raster/clip.h"
 #include "raster/rows.h"
+#include "raster/streams.h"
 #include "raster/vertex.h"
 
 namespace scanlight::raster {

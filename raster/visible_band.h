@@ -6,9 +6,9 @@
 #include <cstring>
 #include <vector>
 
-#include "raster/streams.h"
 #include "raster/fixed.h"
 #include "raster/rows.h"
+#include "raster/streams.h"
 
 namespace scanlight::raster {
 

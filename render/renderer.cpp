@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <stdexcept>
 #include <span>
+#include <stdexcept>
 #include <string>
 
 #include "raster/workers.h"
@@ -112,9 +112,10 @@ private:
         memory_.passes.resize(scene_.objects.size());
         for (std::size_t i = 0; i < scene_.objects.size(); ++i)
             memory_.passes[i].begin(scene_.objects[i], frame_, settings_);
-        for_each_piece(memory_.passes, vertices_a_piece, vertex_count, [&](int, const Piece& piece) {
-            memory_.path.place_vertices(*piece.pass, piece.begin, piece.end);
-        });
+        for_each_piece(memory_.passes, vertices_a_piece, vertex_count,
+                       [&](int, const Piece& piece) {
+                           memory_.path.place_vertices(*piece.pass, piece.begin, piece.end);
+                       });
     }
 
     void light_vertices() {
@@ -127,12 +128,11 @@ private:
     void light_vertices_of(ObjectPass& pass) {
         pass.begin_vertex_light();
         std::vector<float> largest(memory_.bands.size(), 0.0f);  // of each thread
-        for_each_piece({&pass, 1}, vertices_a_piece, vertex_count,
-                       [&](int worker, const Piece& piece) {
-                           float& most = largest[static_cast<std::size_t>(worker)];
-                           most = std::max(most, memory_.path.light_vertices(pass, piece.begin,
-                                                                             piece.end));
-                       });
+        for_each_piece(
+            {&pass, 1}, vertices_a_piece, vertex_count, [&](int worker, const Piece& piece) {
+                float& most = largest[static_cast<std::size_t>(worker)];
+                most = std::max(most, memory_.path.light_vertices(pass, piece.begin, piece.end));
+            });
         pass.unit = unit_for(*std::ranges::max_element(largest));
     }
 
@@ -140,14 +140,15 @@ private:
         for (ObjectPass& pass : memory_.passes)
             pass.bins.resize((pass.mesh().face_count() + faces_a_piece - 1) / faces_a_piece);
         const raster::CullRule rule{settings_.cull == Cull::front, settings_.cull == Cull::back};
-        for_each_piece(memory_.passes, faces_a_piece, face_count, [&](int worker, const Piece& piece) {
-            ObjectPass& pass = *piece.pass;
-            raster::fill_bin(
-                pass.polygons, rule, piece.begin, piece.end, bands_,
-                memory_.path.raster->cull_faces,
-                [&](std::size_t face) { return clipped_face(pass, face); },
-                memory_.survivors[static_cast<std::size_t>(worker)], pass.bins[piece.number]);
-        });
+        for_each_piece(
+            memory_.passes, faces_a_piece, face_count, [&](int worker, const Piece& piece) {
+                ObjectPass& pass = *piece.pass;
+                raster::fill_bin(
+                    pass.polygons, rule, piece.begin, piece.end, bands_,
+                    memory_.path.raster->cull_faces,
+                    [&](std::size_t face) { return clipped_face(pass, face); },
+                    memory_.survivors[static_cast<std::size_t>(worker)], pass.bins[piece.number]);
+            });
     }
 
     void draw_bands() {

@@ -8,8 +8,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include "raster/streams.h"
 #include "raster/project.h"
+#include "raster/streams.h"
 #include "render/frame.h"
 #include "render/scene.h"
 
