@@ -29,18 +29,30 @@ public:
 private:
     SCANLIGHT_FLATTEN void draw_vector(std::span<const FaceItem> items) {
         PreparedTriangles prepared;
-        prepare(streams_, triangles_at(streams_, faces_of(items)), prepared);
-        for (std::size_t i = 0; i < items.size(); ++i) {
-            const auto lane = static_cast<int>(i);
-            const bool is_triangle = (items[i] & walk_flag) == 0;
-            const bool has_plane = is_triangle && (prepared.planar >> lane & 1) != 0;
-            const bool is_small = (prepared.small >> lane & 1) != 0;
-            if (has_plane && is_small) {
-                draw_small(prepared, lane, items[i]);
+        prepare(streams_, triangles_at(streams_, faces_of(items)), band_.rows(), prepared);
+        const std::uint32_t triangles = triangles_among(items);
+        const std::uint32_t tiny = prepared.tiny & triangles;
+        const std::uint32_t small = prepared.small & prepared.planar & triangles;
+        std::uint32_t left = bits_of(first_lanes(static_cast<int>(items.size())));
+        for (left &= ~(prepared.unseen & triangles); left != 0; left &= left - 1) {
+            const int lane = std::countr_zero(left);
+            const FaceItem face = items[static_cast<std::size_t>(lane)];
+            if ((tiny >> lane & 1) != 0) {
+                draw_tiny(prepared, lane, face);
+            } else if ((small >> lane & 1) != 0) {
+                draw_small(prepared, lane, face);
             } else {
-                walker_.draw(items[i], has_plane);
+                walker_.draw(face, (prepared.planar & triangles) >> lane & 1);
             }
         }
+    }
+
+    /// A bit a lane: which are not to be walked.
+    static std::uint32_t triangles_among(std::span<const FaceItem> items) {
+        std::uint32_t bits = 0;
+        for (std::size_t i = 0; i < items.size(); ++i)
+            bits |= ((items[i] & walk_flag) == 0 ? 1u : 0u) << i;
+        return bits;
     }
 
     /// Lanes without an item repeat the first.
@@ -51,12 +63,20 @@ private:
         return load(faces);
     }
 
+    void draw_tiny(const PreparedTriangles& prepared, int lane, FaceItem face) {
+        note(prepared, lane, face,
+             HWY_NAMESPACE::draw_tiny(prepared, lane, next_record(), band_));
+    }
     void draw_small(const PreparedTriangles& prepared, int lane, FaceItem face) {
-        const auto record = static_cast<Item>(records_.count);
+        note(prepared, lane, face, SmallTriangle(prepared, lane, next_record(), band_).draw());
+    }
+
+    Item next_record() const { return static_cast<Item>(records_.count); }
+
+    /// The next record is written in any case; it counts only if the triangle is seen somewhere.
+    void note(const PreparedTriangles& prepared, int lane, FaceItem face, PixelCounts pixels) {
         band_.touch(prepared.x_begin[lane], prepared.x_end[lane]);
-        const PixelCounts pixels = SmallTriangle(prepared, lane, record, band_).draw();
         band_.counts() += pixels;
-        // Written in any case, it counts only if the triangle is seen somewhere.
         records_.face[records_.count] = static_cast<std::int32_t>(face);
         records_.count += pixels.passed > 0 ? 1 : 0;
     }
