@@ -42,38 +42,46 @@ struct Attributes {
 struct AttributeRecord {
     std::int32_t whole, dx, dy, fraction, fraction_dx;
 };
-inline constexpr std::size_t record_fields = sizeof(AttributeRecord) / sizeof(std::int32_t);
+
+/// One attribute of many records: structure of arrays.
+struct AttributeColumn {
+    std::vector<std::int32_t> whole, dx, dy, fraction, fraction_dx;
+
+    void resize(std::size_t n) {
+        for (auto* stream : {&whole, &dx, &dy, &fraction, &fraction_dx})
+            stream->resize(n);
+    }
+    void set(std::size_t record, const AttributeRecord& to) {
+        whole[record] = to.whole;
+        dx[record] = to.dx;
+        dy[record] = to.dy;
+        fraction[record] = to.fraction;
+        fraction_dx[record] = to.fraction_dx;
+    }
+    std::size_t bytes() const { return bytes_held(whole, dx, dy, fraction, fraction_dx); }
+};
 
 /// The attributes of all that a band has come to show: a record for each triangle with a plane, and
 /// one for each span of a polygon that is walked.
 struct AttributeRecords {
     int attribute_count = 0;
-    std::vector<AttributeRecord> attributes;  // attribute_count for each record, one after another
-    std::vector<std::int32_t> face;           // FaceItem; with `walk_flag`, it is of one span only
+    std::array<AttributeColumn, most_attributes> attributes;  // the first of them
+    std::vector<std::int32_t> face;  // FaceItem; with `walk_flag`, it is of one span only
     std::size_t count = 0;
     bool has_fractions = false;  // else they are all 0
 
     /// No records, of so many attributes each.
-    void clear(int attributes_each) {
-        count = 0;
-        has_fractions = false;
-        attribute_count = attributes_each;
-        attributes.resize(face.size() * static_cast<std::size_t>(attribute_count));
-    }
+    void clear(int attributes_each);
 
     /// Room for n records, and a vector more.
     void reserve(std::size_t n) {
-        if (face.size() >= n + most_lanes) return;
-        face.resize(2 * n + most_lanes);
-        attributes.resize(face.size() * static_cast<std::size_t>(attribute_count));
+        if (face.size() < n + most_lanes) grow(2 * n + most_lanes);
     }
 
-    std::size_t bytes() const { return bytes_held(attributes, face); }
+    std::size_t bytes() const;
 
-    std::span<AttributeRecord> of(std::size_t record) {
-        const auto n = static_cast<std::size_t>(attribute_count);
-        return std::span(attributes).subspan(record * n, n);
-    }
+private:
+    void grow(std::size_t n);
 };
 
 /// The ramp of a span as a record that counts x from the picture's edge. Modulo 2^64.

@@ -129,9 +129,10 @@ void Walker::draw_spans(raster::FaceItem face) {
     const auto emit = [&](const raster::Span<N>& span) {
         if (draw(span) == 0) return;
         records_.reserve(records_.count + 1);
-        const auto record = records_.of(records_.count);
-        for (std::size_t k = 0; k < N; ++k)
-            record[k] = raster::record_of(span.ramps.attributes[k], span.x_begin);
+        for (std::size_t k = 0; k < N; ++k) {
+            records_.attributes[k].set(
+                records_.count, raster::record_of(span.ramps.attributes[k], span.x_begin));
+        }
         records_.face[records_.count++] = static_cast<std::int32_t>(face | raster::walk_flag);
         records_.has_fractions = true;
     };

@@ -54,7 +54,7 @@ private:
             const AttributePlaneLanes plane = attribute_plane(
                 setup, corner(stream, v.a, back, scales.a), corner(stream, v.b, back, scales.b),
                 corner(stream, v.c, back, scales.c));
-            write(planar, plane, column, row, records, i, k);
+            write(planar, plane, column, row, records.attributes[static_cast<std::size_t>(k)], i);
         }
     }
 
@@ -88,93 +88,118 @@ private:
     }
 
     static void write(Mask where, const AttributePlaneLanes& plane, Ints column, Ints row,
-                      AttributeRecords& records, std::size_t i, int k) {
-        std::int32_t whole[lane_count], dx[lane_count], dy[lane_count];
-        store(plane.origin - column * plane.dx - row * plane.dy, whole);
-        store(plane.dx, dx);
-        store(plane.dy, dy);
-        for (std::uint32_t left = bits_of(where); left != 0; left &= left - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-            records.of(i + lane)[static_cast<std::size_t>(k)] = {whole[lane], dx[lane], dy[lane], 0,
-                                                                 0};
-        }
+                      AttributeColumn& to, std::size_t i) {
+        store_where(where, plane.origin - column * plane.dx - row * plane.dy, to.whole.data() + i);
+        store_where(where, plane.dx, to.dx.data() + i);
+        store_where(where, plane.dy, to.dy.data() + i);
+        store_where(where, Ints(0), to.fraction.data() + i);
+        store_where(where, Ints(0), to.fraction_dx.data() + i);
     }
 
     const PolygonStreams& streams_;
     const Attributes& attributes_;
 };
 
-/// The values of records at the pixels of one vector, all in one row. Where they are few, whole
-/// vectors of each are worked out and mixed; else each lane fetches its own numbers.
+/// Calls `use(x, item)` with the first pixel of each run of pixels of one record, and with each
+/// first pixel of a vector: from left to right, so that whoever writes a vector's worth there has
+/// written all of the run, and overwrites what was written too far.
+template <class Use>
+void for_each_run(const Item* items, Columns columns, Use&& use) {
+    for (int x = columns.begin; x < columns.end; x += lane_count) {
+        std::uint32_t begins = bits_of(load(items + x) != load(items + x - 1)) | 1;
+        for (; begins != 0; begins &= begins - 1) {
+            const int at = x + std::countr_zero(begins);
+            if (items[at] >= 0) use(at, static_cast<std::size_t>(items[at]));
+        }
+    }
+}
+
+/// The attributes of a vector of pixels.
+struct AttributeLanes {
+    Floats value[most_attributes];
+};
+
+/// The values of records at the pixels of one vector, all in one row. Where they are few, their
+/// numbers are mixed lane by lane; else each lane fetches its own.
 class RecordReader {
 public:
     RecordReader(const AttributeRecords& records, int x, int y)
         : records_(records), x_(Ints(x) + iota()), y_(y) {}
 
     /// All attributes of the lanes, whose `record` is not negative.
-    void read(Ints record, Floats* to) const {
+    AttributeLanes read(Ints record) const {
         std::int32_t numbers[lane_count];
         store(record, numbers);
-        Ints value[most_attributes];
-        write_one(numbers[0], first_lanes(lane_count), value);
+        Numbers mixed[most_attributes];
+        mix(numbers[0], first_lanes(lane_count), mixed);
         auto left = bits_of(record != Ints(numbers[0]));
-        for (int mixed = 1; left != 0; ++mixed) {
-            if (mixed == most_mixed) return gather_all(record, to);
+        for (int records = 1; left != 0; ++records) {
+            if (records == most_mixed) return values_of([&](int k) { return gathered(k, record); });
             const std::int32_t number = numbers[std::countr_zero(left)];
             const Mask where = record == Ints(number);
-            write_one(number, where, value);
+            mix(number, where, mixed);
             left &= ~bits_of(where);
         }
-        for (int k = 0; k < records_.attribute_count; ++k)
-            to[k] = float_lanes(value[k]);
+        return values_of([&](int k) { return mixed[k]; });
     }
 
 private:
     static constexpr int most_mixed = lane_count / 3 + 1;
 
-    void write_one(std::int32_t record, Mask where, Ints* value) const {
-        const auto n = static_cast<std::size_t>(records_.attribute_count);
-        const AttributeRecord* r = &records_.attributes[static_cast<std::size_t>(record) * n];
-        for (std::size_t k = 0; k < n; ++k)
-            value[k] = select(where, value_of(r[k]), value[k]);
+    /// `AttributeRecord`, lane by lane.
+    struct Numbers {
+        Ints whole, dx, dy, fraction, fraction_dx;
+    };
+
+    const AttributeColumn& column(int k) const {
+        return records_.attributes[static_cast<std::size_t>(k)];
     }
 
-    Ints value_of(const AttributeRecord& r) const {
-        const Ints value = Ints(at_row(r)) + x_ * Ints(r.dx);
-        if (!records_.has_fractions) return value;
-        return value + shift_right<ramp_bits>(Ints(r.fraction) + x_ * Ints(r.fraction_dx));
+    void mix(std::int32_t record, Mask where, Numbers* to) const {
+        const auto r = static_cast<std::size_t>(record);
+        const auto mixed = [&](const std::vector<std::int32_t>& stream, Ints others) {
+            return select(where, Ints(stream[r]), others);
+        };
+        for (int k = 0; k < records_.attribute_count; ++k) {
+            const AttributeColumn& a = column(k);
+            to[k].whole = mixed(a.whole, to[k].whole);
+            to[k].dx = mixed(a.dx, to[k].dx);
+            to[k].dy = mixed(a.dy, to[k].dy);
+            if (!records_.has_fractions) continue;
+            to[k].fraction = mixed(a.fraction, to[k].fraction);
+            to[k].fraction_dx = mixed(a.fraction_dx, to[k].fraction_dx);
+        }
     }
 
-    /// Modulo 2^32.
-    std::int32_t at_row(const AttributeRecord& r) const {
-        return static_cast<std::int32_t>(static_cast<std::uint32_t>(r.whole) +
-                                         static_cast<std::uint32_t>(y_) *
-                                             static_cast<std::uint32_t>(r.dy));
+    Numbers gathered(int k, Ints record) const {
+        const AttributeColumn& a = column(k);
+        Numbers n;
+        n.whole = gather(a.whole.data(), record);
+        n.dx = gather(a.dx.data(), record);
+        n.dy = gather(a.dy.data(), record);
+        if (!records_.has_fractions) return n;
+        n.fraction = gather(a.fraction.data(), record);
+        n.fraction_dx = gather(a.fraction_dx.data(), record);
+        return n;
     }
 
-    void gather_all(Ints record, Floats* to) const {
-        const auto fields = static_cast<std::int32_t>(record_fields);
-        const Ints at = record * Ints(records_.attribute_count * fields);
+    template <class NumbersOf>
+    AttributeLanes values_of(NumbersOf&& numbers_of) const {
+        AttributeLanes result;
         for (int k = 0; k < records_.attribute_count; ++k)
-            to[k] = float_lanes(gathered(at + Ints(k * fields)));
+            result.value[k] = float_lanes(value_of(numbers_of(k)));
+        return result;
     }
 
-    Ints gathered(Ints at) const {
-        const std::int32_t* base = &records_.attributes.data()->whole;
-        const Ints value =
-            gather(base, at) + x_ * gather(base + 1, at) + Ints(y_) * gather(base + 2, at);
-        if (!records_.has_fractions) return value;
-        return value + shift_right<ramp_bits>(gather(base + 3, at) + x_ * gather(base + 4, at));
+    Ints value_of(const Numbers& n) const {
+        const Ints whole = n.whole + Ints(y_) * n.dy + x_ * n.dx;
+        if (!records_.has_fractions) return whole;
+        return whole + shift_right<ramp_bits>(n.fraction + x_ * n.fraction_dx);
     }
 
     const AttributeRecords& records_;
     Ints x_;
     std::int32_t y_;
-};
-
-/// The attributes of a vector of pixels.
-struct AttributeLanes {
-    Floats value[most_attributes];
 };
 
 }  // namespace scanlight::raster::HWY_NAMESPACE

@@ -33,11 +33,10 @@ void set_up_planes(const ObjectPass& pass, raster::AttributeRecords& records) {
 template <class Technique>
 std::size_t shade_rows(const Technique& technique, raster::VisibleBand& band, ShadeScratch& scratch,
                        const Target& target, Background background) {
-    const auto width = static_cast<std::size_t>(band.width());
-    if (scratch.row.x.size() < width + lane_count) scratch.row.resize(width + lane_count);
+    scratch.row.resize(static_cast<std::size_t>(band.width()) + raster::most_lanes);
     std::size_t pixels = 0;
     for (int y = band.rows().y_begin; y < band.rows().y_end; ++y) {
-        shade_row(technique, scratch.records, band, y, scratch.row);
+        technique.shade_row(band, y);
         pixels += store_row(scratch.row, band, y, target, background);
     }
     return pixels;
@@ -45,18 +44,21 @@ std::size_t shade_rows(const Technique& technique, raster::VisibleBand& band, Sh
 
 std::size_t shade_band(const ObjectPass& pass, raster::VisibleBand& band, ShadeScratch& scratch,
                        const Target& target, Background background) {
+    const auto shade = [&](const auto& technique) {
+        return shade_rows(technique, band, scratch, target, background);
+    };
     switch (pass.settings->shading) {
         case Shading::flat:
-            return shade_rows(FlatLanes(pass, scratch), band, scratch, target, background);
+            return shade(FlatLanes(pass, scratch));
         case Shading::gouraud:
-            return shade_rows(GouraudLanes(pass), band, scratch, target, background);
+            return shade(PixelByPixel(GouraudLanes(pass), scratch));
         case Shading::phong:
             break;
     }
     return with_model(*pass.settings, [&](auto model) {
         return with_paint(pass.mesh(), [&](auto paint) {
-            using Technique = PhongLanes<decltype(model), paint>;
-            return shade_rows(Technique(pass, scratch, model), band, scratch, target, background);
+            const PhongLanes<decltype(model), paint> technique(pass, scratch, model);
+            return shade(PixelByPixel(technique, scratch));
         });
     });
 }

@@ -60,8 +60,8 @@ ColorLanes light_by_material(const ObjectPass& pass, Ints face, Mask wanted, Lig
 struct PixelLanes {
     int x, y;
     Ints depth;
+    Mask shown;   // somewhere
     Ints record;  // where nothing is shown, that of a pixel where something is
-    Mask shown;
     AttributeLanes attributes;
 
     VectorLanes vector(int first) const {
@@ -76,10 +76,15 @@ public:
         with_model(*pass_.settings, [&](auto model) { light_faces(model); });
     }
 
-    ColorLanes shade(const PixelLanes& pixels) const {
-        const auto& colors = scratch_.face_colors;
-        return {gather(colors.x.data(), pixels.record), gather(colors.y.data(), pixels.record),
-                gather(colors.z.data(), pixels.record)};
+    /// The colours of all pixels of a row that show something.
+    SCANLIGHT_FLATTEN void shade_row(raster::VisibleBand& band, int y) const {
+        const VectorStreams& colors = scratch_.face_colors;
+        VectorStreams& row = scratch_.row;
+        for_each_run(band.item_row(y), band.touched(), [&](int x, std::size_t record) {
+            store(Floats(colors.x[record]), row.x.data() + x);
+            store(Floats(colors.y[record]), row.y.data() + x);
+            store(Floats(colors.z[record]), row.z.data() + x);
+        });
     }
 
 private:
@@ -249,42 +254,50 @@ private:
 
 // ---- the walk over a band
 
-/// The lanes where nothing is take the record of one where something is.
-inline Ints with_neighbours(Ints record, Mask shown) {
-    std::int32_t records[lane_count];
-    store(record, records);
-    return select(shown, record, Ints(records[std::countr_zero(bits_of(shown))]));
-}
+/// A technique that lights pixel by pixel what its attributes say.
+template <class PixelTechnique>
+class PixelByPixel {
+public:
+    PixelByPixel(const PixelTechnique& technique, ShadeScratch& scratch)
+        : technique_(technique), scratch_(scratch) {}
 
-/// The vector of pixels from x on, or nothing where nothing is shown.
-inline bool read_pixels(const raster::AttributeRecords& records, raster::VisibleBand& band, int x,
-                        int y, PixelLanes& pixels) {
-    const Ints record = load(band.item_row(y) + x);
-    pixels.shown = Ints(-1) < record;
-    if (!any(pixels.shown)) return false;
-    pixels.x = x;
-    pixels.y = y;
-    pixels.depth = load(band.depth_row(y) + x);
-    pixels.record = all(pixels.shown) ? record : with_neighbours(record, pixels.shown);
-    if (records.attribute_count > 0)
-        RecordReader(records, x, y).read(pixels.record, pixels.attributes.value);
-    return true;
-}
-
-/// The colours of all pixels of a row that show something.
-template <class Technique>
-SCANLIGHT_FLATTEN void shade_row(const Technique& technique,
-                                 const raster::AttributeRecords& records, raster::VisibleBand& band,
-                                 int y, VectorStreams& row) {
-    PixelLanes pixels;
-    const raster::Columns columns = band.touched();
-    for (int x = columns.begin; x < columns.end; x += lane_count) {
-        if (!read_pixels(records, band, x, y, pixels)) continue;
-        const ColorLanes color = technique.shade(pixels);
-        store(color.x, row.x.data() + x);
-        store(color.y, row.y.data() + x);
-        store(color.z, row.z.data() + x);
+    /// The colours of all pixels of a row that show something.
+    SCANLIGHT_FLATTEN void shade_row(raster::VisibleBand& band, int y) const {
+        const raster::Columns columns = band.touched();
+        PixelLanes pixels;
+        for (int x = columns.begin; x < columns.end; x += lane_count) {
+            if (read(band, x, y, pixels)) write(technique_.shade(pixels), x);
+        }
     }
-}
+
+private:
+    /// False where nothing is shown.
+    bool read(raster::VisibleBand& band, int x, int y, PixelLanes& pixels) const {
+        const Ints record = load(band.item_row(y) + x);
+        pixels.shown = Ints(-1) < record;
+        if (!any(pixels.shown)) return false;
+        pixels.x = x;
+        pixels.y = y;
+        pixels.depth = load(band.depth_row(y) + x);
+        pixels.record = all(pixels.shown) ? record : with_neighbours(record, pixels.shown);
+        pixels.attributes = RecordReader(scratch_.records, x, y).read(pixels.record);
+        return true;
+    }
+
+    static Ints with_neighbours(Ints record, Mask shown) {
+        std::int32_t records[lane_count];
+        store(record, records);
+        return select(shown, record, Ints(records[std::countr_zero(bits_of(shown))]));
+    }
+
+    void write(const ColorLanes& color, int x) const {
+        store(color.x, scratch_.row.x.data() + x);
+        store(color.y, scratch_.row.y.data() + x);
+        store(color.z, scratch_.row.z.data() + x);
+    }
+
+    const PixelTechnique& technique_;
+    ShadeScratch& scratch_;
+};
 
 }  // namespace scanlight::render::HWY_NAMESPACE
