@@ -13,11 +13,10 @@
 
 namespace scanlight::raster {
 
-/// Draws a polygon that is no small triangle with a plane: by the walk down its edges.
-/// `has_plane`: all its spans are of one record.
+/// Draws a polygon that is no whole triangle with a plane: by the walk down its edges.
 struct Walker {
     virtual ~Walker() = default;
-    virtual void draw(FaceItem face, bool has_plane) = 0;
+    virtual void draw(FaceItem face) = 0;
 };
 
 /// The vector code of this room for one instruction set. All sets give the same bits.

@@ -80,8 +80,7 @@ std::vector<raster::ScreenVertex<0>> clipped_face(const ObjectPass& pass, std::s
     return clipped<0>(pass, static_cast<raster::FaceItem>(face));
 }
 
-void Walker::draw(raster::FaceItem face, bool has_plane) {
-    if (has_plane) return draw_as_one(face);
+void Walker::draw(raster::FaceItem face) {
     switch (pass_.attributes.count) {
         case 0:
             return draw_as_one(face);
@@ -107,7 +106,7 @@ std::size_t Walker::draw(const raster::Span<N>& span) {
     return passed;
 }
 
-/// All spans are of one record, whose attributes are set up later.
+/// All spans are of one record: it has no attributes.
 void Walker::draw_as_one(raster::FaceItem face) {
     auto& [filler, corners] = std::get<WalkMemory<0>>(memories_);
     gather_corners(pass_, face, corners);

@@ -23,16 +23,15 @@ struct WalkMemory {
 };
 using WalkMemories = std::tuple<WalkMemory<0>, WalkMemory<3>, WalkMemory<4>, WalkMemory<7>>;
 
-/// The textbook's way within the fast path: polygons go down their edges, span by span. n-gons,
-/// clipped polygons and slivers interpolate their attributes so too; large triangles only find
-/// their spans.
+/// The textbook's way within the fast path: n-gons, clipped polygons and slivers go down their
+/// edges, span by span.
 class Walker : public raster::Walker {
 public:
     Walker(const ObjectPass& pass, const raster::LanePath& path, WalkMemories& memories,
            raster::VisibleBand& band, raster::AttributeRecords& records)
         : pass_(pass), path_(path), memories_(memories), band_(band), records_(records) {}
 
-    void draw(raster::FaceItem face, bool has_plane) override;
+    void draw(raster::FaceItem face) override;
 
 private:
     template <int N>

@@ -1,5 +1,6 @@
 #include "raster/lane_path.h"
 #include "raster/lanes/cull.h"
+#include "raster/lanes/large_triangle.h"
 #include "raster/lanes/triangles.h"
 
 namespace scanlight::raster::HWY_NAMESPACE {
@@ -41,8 +42,10 @@ private:
                 draw_tiny(prepared, lane, face);
             } else if ((small >> lane & 1) != 0) {
                 draw_small(prepared, lane, face);
+            } else if ((prepared.planar & triangles) >> lane & 1) {
+                draw_large(prepared, lane, face);
             } else {
-                walker_.draw(face, (prepared.planar & triangles) >> lane & 1);
+                walker_.draw(face);
             }
         }
     }
@@ -69,6 +72,16 @@ private:
     }
     void draw_small(const PreparedTriangles& prepared, int lane, FaceItem face) {
         note(prepared, lane, face, SmallTriangle(prepared, lane, next_record(), band_).draw());
+    }
+
+    void draw_large(const PreparedTriangles& prepared, int lane, FaceItem face) {
+        const auto v = streams_.face(face & face_mask);
+        const auto corner = [&](std::uint32_t i) {
+            return ScreenPoint{streams_.x[i], streams_.y[i]};
+        };
+        LargeTriangle triangle(prepared, lane, {corner(v[0]), corner(v[1]), corner(v[2])},
+                               next_record(), band_);
+        note(prepared, lane, face, triangle.draw());
     }
 
     Item next_record() const { return static_cast<Item>(records_.count); }
