@@ -14,14 +14,15 @@ namespace scanlight::raster {
 
 /// The bands into which a picture's rows are cut: each is drawn by one thread.
 struct Bands {
-    int height = 0;  // of the picture
-    int rows = 32;   // of a band
+    int height = 0;    // of the picture
+    int row_bits = 5;  // a band has two to this power of rows
 
-    int count() const { return (height + rows - 1) / rows; }
+    int count() const { return holding(height - 1) + 1; }
     Rows operator[](int band) const {
-        return {band * rows, band * rows + rows < height ? band * rows + rows : height};
+        const int end = (band + 1) << row_bits;
+        return {band << row_bits, end < height ? end : height};
     }
-    int holding(int row) const { return row / rows; }
+    int holding(int row) const { return row >> row_bits; }
 };
 
 /// The polygons of one stretch of faces, sorted into bands: a polygon lies in each band it touches,

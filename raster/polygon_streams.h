@@ -19,10 +19,12 @@ struct PolygonStreams {
     std::span<const std::uint32_t> corners;     // indices of vertices
     std::span<const std::uint32_t> face_begin;  // faces + 1 of them, into `corners`
     bool mirrored = false;                      // front faces run clockwise
+    std::int32_t outside_of_any = ~0;           // `outside` of all vertices joined, or more
 
     std::span<const std::uint32_t> face(std::size_t f) const {
         return corners.subspan(face_begin[f], face_begin[f + 1] - face_begin[f]);
     }
+    bool are_triangles() const { return corners.size() == 3 * (face_begin.size() - 1); }
     /// Where vertex `v` is; only of vertices inside the view volume.
     ScreenVertex<0> corner(std::uint32_t v) const { return {x[v], y[v], z[v], {}}; }
 };

@@ -12,8 +12,9 @@ namespace scanlight::render {
 struct LanePath {
     const raster::LanePath* raster;
 
-    /// Vertices [begin, end) of the object to the screen; begin a multiple of 64.
-    void (*place_vertices)(ObjectPass&, std::size_t begin, std::size_t end);
+    /// Vertices [begin, end) of the object to the screen; begin a multiple of 64. The clip planes
+    /// beyond which any of them lies.
+    std::int32_t (*place_vertices)(ObjectPass&, std::size_t begin, std::size_t end);
 
     /// Illuminates vertices [begin, end), begin a multiple of 64. The largest finite channel.
     float (*light_vertices)(ObjectPass&, std::size_t begin, std::size_t end);

@@ -16,7 +16,8 @@ raster::PolygonStreams polygons_of(const ObjectPass& pass) {
             v.outside,
             pass.mesh().corners,
             pass.mesh().face_begin,
-            pass.placing.mirrored};
+            pass.placing.mirrored,
+            0};
 }
 
 /// Of each vertex; none where there is one material only.

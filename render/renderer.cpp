@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <span>
 #include <stdexcept>
@@ -114,7 +115,8 @@ private:
             memory_.passes[i].begin(scene_.objects[i], frame_, settings_);
         for_each_piece(memory_.passes, vertices_a_piece, vertex_count,
                        [&](int, const Piece& piece) {
-                           memory_.path.place_vertices(*piece.pass, piece.begin, piece.end);
+                           std::atomic_ref(piece.pass->polygons.outside_of_any) |=
+                               memory_.path.place_vertices(*piece.pass, piece.begin, piece.end);
                        });
     }
 

@@ -129,8 +129,8 @@ void Walker::draw_spans(raster::FaceItem face) {
         if (draw(span) == 0) return;
         records_.reserve(records_.count + 1);
         for (std::size_t k = 0; k < N; ++k) {
-            records_.attributes[k].set(
-                records_.count, raster::record_of(span.ramps.attributes[k], span.x_begin));
+            records_.attributes[k].set(records_.count,
+                                       raster::record_of(span.ramps.attributes[k], span.x_begin));
         }
         records_.face[records_.count++] = static_cast<std::int32_t>(face | raster::walk_flag);
         records_.has_fractions = true;

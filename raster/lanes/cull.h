@@ -15,12 +15,17 @@ struct TriangleLanes {
     Ints a, b, c;
 };
 
-inline TriangleLanes triangles_at(const PolygonStreams& streams, Ints face) {
-    const auto* begins = reinterpret_cast<const std::int32_t*>(streams.face_begin.data());
+/// From the first of their corners on.
+inline TriangleLanes triangles_from(const PolygonStreams& streams, Ints begin) {
     const auto* corners = reinterpret_cast<const std::int32_t*>(streams.corners.data());
-    const Ints begin = gather(begins, face);
     return {gather(corners, begin), gather(corners, begin + Ints(1)),
             gather(corners, begin + Ints(2))};
+}
+
+inline TriangleLanes triangles_at(const PolygonStreams& streams, Ints face) {
+    if (streams.are_triangles()) return triangles_from(streams, face * Ints(3));
+    const auto* begins = reinterpret_cast<const std::int32_t*>(streams.face_begin.data());
+    return triangles_from(streams, gather(begins, face));
 }
 
 /// Smallest and largest of three.
@@ -77,11 +82,13 @@ private:
     /// False, and nothing done, where one of them is to be clipped.
     bool cull_lanes(std::size_t f, int n, Survivors& survivors, FateCounts& counts) const {
         const Mask valid = first_lanes(n);
-        const Ints face = Ints(static_cast<std::int32_t>(f)) +
-                          min(iota(), Ints(n - 1));  // no index beyond the last face
-        const TriangleLanes v = triangles_at(streams_, face);
-        const Mask outside = valid & beyond_one_plane(v);
-        const Mask inside = valid & !beyond_any_plane(v);
+        const Ints lane = min(iota(), Ints(n - 1));  // no index beyond the last face
+        const Ints face = Ints(static_cast<std::int32_t>(f)) + lane;
+        const Ints begin(static_cast<std::int32_t>(streams_.face_begin[f]));
+        const TriangleLanes v = triangles_from(streams_, begin + lane * Ints(3));
+        const Place place = place_of(v);
+        const Mask outside = valid & place.outside;
+        const Mask inside = valid & place.inside;
         if (any(valid & !(outside | inside))) return false;
         const Ints x[3] = {gather(streams_.x.data(), v.a), gather(streams_.x.data(), v.b),
                            gather(streams_.x.data(), v.c)};
@@ -103,11 +110,16 @@ private:
     static Mask none() { return first_lanes(0); }
     static Mask has_area(Doubles area) { return abs(area) > Doubles(0.0); }
 
-    Mask beyond_one_plane(const TriangleLanes& v) const {
-        return (outside_of(v.a) & outside_of(v.b) & outside_of(v.c)) != Ints(0);
-    }
-    Mask beyond_any_plane(const TriangleLanes& v) const {
-        return (outside_of(v.a) | outside_of(v.b) | outside_of(v.c)) != Ints(0);
+    struct Place {
+        Mask outside;  // all of it beyond one plane
+        Mask inside;   // nothing of it beyond any
+    };
+    Place place_of(const TriangleLanes& v) const {
+        if (streams_.outside_of_any == 0) return {none(), first_lanes(lane_count)};
+        const Ints a = outside_of(v.a);
+        const Ints b = outside_of(v.b);
+        const Ints c = outside_of(v.c);
+        return {(a & b & c) != Ints(0), (a | b | c) == Ints(0)};
     }
     Ints outside_of(Ints vertex) const { return gather(streams_.outside.data(), vertex); }
 

@@ -218,6 +218,15 @@ inline bool all(Mask mask) {
 inline int count(Mask mask) {
     return static_cast<int>(hn::CountTrue(FloatTag(), mask.m));
 }
+/// The bits that any lane has.
+inline std::int32_t joined_bits(Ints a) {
+    std::int32_t lanes[lane_count];
+    hn::StoreU(a.v, IntTag(), lanes);
+    std::int32_t bits = 0;
+    for (const std::int32_t lane : lanes)
+        bits |= lane;
+    return bits;
+}
 /// One bit a lane, the first lane's the lowest.
 inline std::uint32_t bits_of(Mask mask) {
 #if HWY_TARGET == HWY_AVX3

@@ -83,8 +83,7 @@ inline Ints tiny_coverage(EdgeLanes (&edges)[3], Ints y_begin, Ints y_end, Mask 
     Ints pixels(0);
     for (int j = 0; any(Ints(j) < height); ++j) {
         const Ints y = y_begin + Ints(j);
-        const Mask in_band =
-            tiny & (Ints(rows.y_begin - 1) < y) & (y < Ints(rows.y_end));
+        const Mask in_band = tiny & (Ints(rows.y_begin - 1) < y) & (y < Ints(rows.y_end));
         Ints e[3] = {edges[0].value, edges[1].value, edges[2].value};
         for (int i = 0; i < tiny_columns; ++i) {
             const Mask covered = in_band & (Ints(-1) < (e[0] | e[1] | e[2]));
@@ -157,8 +156,8 @@ inline std::size_t tiny_row_count(std::uint32_t pixels) {
 /// Draws the pixels of one tiny triangle one by one.
 inline PixelCounts draw_tiny(const PreparedTriangles& t, int lane, Item item, VisibleBand& band) {
     const DepthPlane plane{t.depth[lane], t.depth_dx[lane], t.depth_dy[lane]};
-    const std::int64_t z = plane.at(t.x_begin[lane] - t.reference_x[lane],
-                                    t.y_begin[lane] - t.reference_y[lane]);
+    const std::int64_t z =
+        plane.at(t.x_begin[lane] - t.reference_x[lane], t.y_begin[lane] - t.reference_y[lane]);
     Depth* const depth = band.depth_row(band.rows().y_begin) + t.x_begin[lane];
     Item* const items = band.item_row(band.rows().y_begin) + t.x_begin[lane];
     const int first_row = t.y_begin[lane] - band.rows().y_begin;  // above the band: negative

@@ -67,8 +67,7 @@ private:
     }
 
     void draw_tiny(const PreparedTriangles& prepared, int lane, FaceItem face) {
-        note(prepared, lane, face,
-             HWY_NAMESPACE::draw_tiny(prepared, lane, next_record(), band_));
+        note(prepared, lane, face, HWY_NAMESPACE::draw_tiny(prepared, lane, next_record(), band_));
     }
     void draw_small(const PreparedTriangles& prepared, int lane, FaceItem face) {
         note(prepared, lane, face, SmallTriangle(prepared, lane, next_record(), band_).draw());

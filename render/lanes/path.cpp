@@ -13,8 +13,8 @@ namespace scanlight::render::HWY_NAMESPACE {
 
 namespace {
 
-void place_vertices(ObjectPass& pass, std::size_t begin, std::size_t end) {
-    VertexPlacer(pass.placing, pass.frame->viewport, pass.vertices)
+std::int32_t place_vertices(ObjectPass& pass, std::size_t begin, std::size_t end) {
+    return VertexPlacer(pass.placing, pass.frame->viewport, pass.vertices)
         .place(pass.mesh().vertices, begin, end);
 }
 

@@ -19,17 +19,20 @@ public:
     VertexPlacer(const Placing& placing, raster::Viewport viewport, VertexStreams& out)
         : placing_(placing), viewport_(viewport), out_(out) {}
 
-    /// Vertices [begin, end).
-    SCANLIGHT_FLATTEN void place(const mesh::Vertices& vertices, std::size_t begin,
-                                 std::size_t end) const {
+    /// Vertices [begin, end). The clip planes beyond which any of them lies.
+    SCANLIGHT_FLATTEN std::int32_t place(const mesh::Vertices& vertices, std::size_t begin,
+                                         std::size_t end) const {
+        Ints outside(0);
         for (std::size_t i = begin; i < end; i += lane_count) {
             const int n = static_cast<int>(std::min<std::size_t>(lane_count, end - i));
             place_position(vector_at(vertices.x, vertices.y, vertices.z, i, n), i);
+            outside = outside | select(first_lanes(n), load(out_.outside.data() + i), Ints(0));
             if (!out_.normals.x.empty()) {
                 const VectorLanes normal = vector_at(vertices.nx, vertices.ny, vertices.nz, i, n);
                 write(transformed_normal(placing_.normals_from_object, normal), out_.normals, i);
             }
         }
+        return joined_bits(outside);
     }
 
 private:
