@@ -1,11 +1,8 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <span>
 #include <string_view>
 
-#include "raster/attribute_records.h"
 #include "raster/bins.h"
 #include "raster/polygon_streams.h"
 #include "raster/ramp.h"
@@ -13,10 +10,19 @@
 
 namespace scanlight::raster {
 
+/// Takes the spans of a walked polygon.
+struct SpanPainter {
+    virtual ~SpanPainter() = default;
+    /// Pixels [x_begin, x_end) of row y. Ramps begin at x_begin; as many of attributes as the
+    /// painter interpolates.
+    virtual void draw_span(int y, int x_begin, int x_end, const Ramp& depth,
+                           const Ramp* attributes) = 0;
+};
+
 /// Draws a polygon that is no whole triangle with a plane: by the walk down its edges.
 struct Walker {
     virtual ~Walker() = default;
-    virtual void draw(FaceItem face) = 0;
+    virtual void draw(FaceItem face, SpanPainter& spans) = 0;
 };
 
 /// The vector code of this room for one instruction set. All sets give the same bits.
@@ -26,15 +32,9 @@ struct LanePath {
 
     CullFaces cull_faces;
 
-    /// Draws polygons into a band: depth, and records of those that come to be seen. Only the faces
-    /// of the records are written, not their attributes.
+    /// Draws polygons into a band, in their order: depth, and as the only number kept the item.
     void (*draw_items)(const PolygonStreams&, std::span<const FaceItem> items, VisibleBand&,
-                       AttributeRecords&, Walker&);
-
-    /// Draws pixels [x_begin, x_end) of a row, their depth by a ramp that begins at x_begin; how
-    /// many came to be seen.
-    std::size_t (*draw_span)(Depth* depth, Item* items, int x_begin, int x_end, const Ramp& ramp,
-                             Item item);
+                       Walker&);
 };
 
 /// Those that this machine can run, the fastest first; never empty.

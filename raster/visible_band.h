@@ -12,9 +12,9 @@
 
 namespace scanlight::raster {
 
-/// The number of a record: of what a pixel shows, see `AttributeRecords`.
-using Item = std::int32_t;
-inline constexpr Item no_item = -1;
+/// What a pixel shows is told by its polygon's item where its light comes later; this one is no
+/// polygon's.
+inline constexpr std::int32_t no_item = -1;
 
 /// How much a pass had to do.
 struct PixelCounts {
@@ -34,82 +34,106 @@ struct PixelCounts {
 struct Columns {
     int begin = 0;
     int end = 0;
+
+    void extend(int more_begin, int more_end) {
+        begin = std::min(begin, more_begin);
+        end = std::max(end, more_end);
+    }
+};
+
+/// Where a pixel's numbers are: its depth, and `plane` elements further each number that is kept.
+struct PixelPlace {
+    Depth* depth;
+    std::ptrdiff_t plane;
+
+    std::int32_t* kept(int number) const { return depth + plane * (number + 1); }
+    PixelPlace operator+(std::ptrdiff_t pixels) const { return {depth + pixels, plane}; }
 };
 
 /// What some rows of the picture show, as one thread sees them: at each pixel the depth of the
-/// nearest surface and the record it belongs to. Small enough to stay in the cache of one core.
-/// Each row may be read and written `overrun` pixels beyond its end, by whole vectors.
-/// Invariant: memory says that nothing is seen anywhere but in the touched columns of `rows()`.
+/// nearest surface, and what is kept of it for its light, a plane a number. Small enough to stay in
+/// the cache of one core. Each row may be read and written `overrun` pixels beyond its end, by
+/// whole vectors.
 class VisibleBand {
 public:
     static constexpr int overrun = 64;
 
-    /// Nothing is seen in `rows` of a picture of this width any more.
-    void clear(int width, Rows rows) {
+    /// Nothing is seen in `rows` of a picture of this width any more. Of what will be seen, so many
+    /// numbers will be kept; they are any until then.
+    void clear(int width, Rows rows, int kept) {
         const int height = rows.y_end - rows.y_begin;
-        if (width != width_ || height > most_rows_) {
-            allocate(width, height);
+        if (width != width_ || height > most_rows_ || kept > most_kept_) {
+            allocate(width, std::max(height, most_rows_), std::max(kept, most_kept_));
         } else {
-            fill_rows(0, depth_clear & 0xff);
-            forget_items();
+            fill_rows(0, seen_, depth_clear & 0xff);
         }
-        touched_ = {width, 0};
+        seen_ = {width, 0};
         rows_ = rows;
     }
 
-    /// Forgets whose the pixels are and keeps their depth.
-    void forget_items() { fill_rows(items_begin_, no_item); }
+    /// No pixel is of any item: the first of the numbers kept.
+    void forget_items() {
+        fill_rows(1, items_, no_item);
+        items_ = {width_, 0};
+    }
 
     std::size_t bytes() const { return bytes_held(memory_); }
     int width() const { return width_; }
     Rows rows() const { return rows_; }
     /// From a row to the next, in pixels.
-    std::size_t stride() const { return stride_; }
-    Depth* depth_row(int y) { return memory_.data() + start(y); }
-    Item* item_row(int y) { return memory_.data() + items_begin_ + start(y); }
+    std::ptrdiff_t stride() const { return stride_; }
+
+    /// The row's first pixel.
+    PixelPlace row(int y) {
+        return {memory_.data() + stride_ * (y - rows_.y_begin), plane_};
+    }
+    Depth* depth_row(int y) { return row(y).depth; }
+    std::int32_t* kept_row(int number, int y) { return row(y).kept(number); }
 
     /// Whoever draws says where.
     void touch(int x_begin, int x_end) {
-        touched_ = {std::min(touched_.begin, x_begin), std::max(touched_.end, x_end)};
+        seen_.extend(x_begin, x_end);
+        items_.extend(x_begin, x_end);
     }
-    Columns touched() const { return touched_; }
+    /// Nothing is seen in other columns.
+    Columns touched() const { return seen_; }
 
     /// Of all that was drawn into it, over its whole life.
     PixelCounts& counts() { return counts_; }
     const PixelCounts& counts() const { return counts_; }
 
 private:
-    void allocate(int width, int height) {
+    void allocate(int width, int height, int kept) {
         width_ = width;
-        stride_ = (static_cast<std::size_t>(width) + overrun + 15) / 16 * 16;
-        const std::size_t size = stride_ * static_cast<std::size_t>(height);
-        // Depth and item of a pixel must not lie a multiple of 4096 bytes apart: a store to the one
-        // would hold up loads of the other.
-        items_begin_ = (size + 1023) / 1024 * 1024 + 512;
-        memory_.assign(items_begin_, depth_clear);
-        memory_.resize(items_begin_ + size, no_item);
         most_rows_ = height;
+        most_kept_ = kept;
+        stride_ = (width + overrun + 15) / 16 * 16;
+        // A pixel's numbers must not lie multiples of 4096 bytes apart: a store to the one would
+        // hold up loads of the other.
+        plane_ = (stride_ * height + 1023) / 1024 * 1024 + 160;
+        memory_.assign(static_cast<std::size_t>(plane_ * (kept + 1)), no_item);
+        std::fill_n(memory_.begin(), plane_, depth_clear);
+        items_ = {width, 0};
     }
 
-    /// The touched columns of all rows, from a place in memory on.
-    void fill_rows(std::size_t begin, int byte) {
-        if (touched_.begin >= touched_.end) return;
-        const auto columns = static_cast<std::size_t>(touched_.end - touched_.begin);
-        for (int row = 0; row < rows_.y_end - rows_.y_begin; ++row) {
-            std::int32_t* const to =
-                memory_.data() + begin + stride_ * static_cast<std::size_t>(row) + touched_.begin;
-            std::memset(to, byte, columns * sizeof(std::int32_t));
+    /// Columns of one plane, in all rows there is memory for.
+    void fill_rows(int plane, Columns columns, int byte) {
+        if (columns.begin >= columns.end) return;
+        const auto count = static_cast<std::size_t>(columns.end - columns.begin);
+        for (int row = 0; row < most_rows_; ++row) {
+            std::memset(memory_.data() + plane * plane_ + row * stride_ + columns.begin, byte,
+                        count * sizeof(std::int32_t));
         }
     }
-
-    std::size_t start(int y) const { return stride_ * static_cast<std::size_t>(y - rows_.y_begin); }
 
     int width_ = 0;
     Rows rows_{0, 0};
     int most_rows_ = 0;  // that there is memory for
-    Columns touched_;
-    std::size_t stride_ = 0;
-    std::size_t items_begin_ = 0;
+    int most_kept_ = 0;
+    Columns seen_;   // where depth may be other than clear
+    Columns items_;  // where items may be
+    std::ptrdiff_t stride_ = 0;
+    std::ptrdiff_t plane_ = 0;
     std::vector<std::int32_t> memory_;
     PixelCounts counts_;
 };

@@ -23,27 +23,41 @@ void BandDrawer::begin() {
 }
 
 void BandDrawer::draw(const Picture& picture, int width, raster::Rows rows, int number) {
-    band_.clear(width, rows);
-    Background background = Background::drawn;
-    for (const ObjectPass& pass : picture.passes) {
-        if (background == Background::kept) band_.forget_items();
-        see(picture, pass, number);
-        if (shade_.records.count == 0) continue;
-        shade(picture, pass, background);
-        background = Background::kept;
-    }
-    if (background == Background::drawn) fill_rows(picture.target, rows);
+    const bool at_once = lights_at_once(picture.settings, picture.target);
+    int kept = 1;
+    for (const ObjectPass& pass : picture.passes)
+        kept = std::max(kept, at_once ? 1 : 1 + pass.attributes.count);
+    band_.clear(width, rows, kept);
+    at_once ? draw_lit(picture, number) : draw_then_light(picture, number);
     if (picture.depth != nullptr) copy_depth(*picture.depth);
 }
 
-void BandDrawer::see(const Picture& picture, const ObjectPass& pass, int number) {
-    raster::AttributeRecords& records = shade_.records;
-    records.clear(pass.attributes.count);
-    Walker walker(pass, *picture.path.raster, walks_, band_, records);
-    for (const raster::Bin& bin : pass.bins) {
-        picture.path.raster->draw_items(pass.polygons, lit_sides(picture.sides, bin.band(number)),
-                                        band_, records, walker);
+void BandDrawer::draw_lit(const Picture& picture, int number) {
+    for (const ObjectPass& pass : picture.passes)
+        shaded_ += see(picture, pass, number);
+    picture.path.store_band(band_, picture.target);
+}
+
+void BandDrawer::draw_then_light(const Picture& picture, int number) {
+    Background background = Background::drawn;
+    for (const ObjectPass& pass : picture.passes) {
+        band_.forget_items();
+        if (see(picture, pass, number) == 0) continue;
+        shaded_ += picture.path.light_band(pass, band_, row_, picture.target, background);
+        background = Background::kept;
     }
+    if (background == Background::drawn) fill_rows(picture.target, band_.rows());
+}
+
+/// Finds out what each pixel shows; how many come to show this object, some more than once.
+std::size_t BandDrawer::see(const Picture& picture, const ObjectPass& pass, int number) {
+    const std::size_t before = band_.counts().passed;
+    Walker walker(pass, walks_, band_.rows());
+    for (const raster::Bin& bin : pass.bins) {
+        picture.path.see(pass, lit_sides(picture.settings.sides, bin.band(number)), picture.target,
+                         band_, walker);
+    }
+    return band_.counts().passed - before;
 }
 
 /// Where only fronts are lit, they are seen from behind too.
@@ -54,11 +68,6 @@ std::span<const raster::FaceItem> BandDrawer::lit_sides(Sides sides,
     for (raster::FaceItem& item : items_)
         item &= ~raster::back_flag;
     return items_;
-}
-
-void BandDrawer::shade(const Picture& picture, const ObjectPass& pass, Background background) {
-    picture.path.set_up_planes(pass, shade_.records);
-    shaded_ += picture.path.shade_band(pass, band_, shade_, picture.target, background);
 }
 
 void BandDrawer::copy_depth(raster::Plane<raster::Depth>& to) {

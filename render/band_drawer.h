@@ -20,7 +20,7 @@ public:
     struct Picture {
         const LanePath& path;
         std::span<const ObjectPass> passes;
-        Sides sides;
+        const Settings& settings;
         const Target& target;
         raster::Plane<raster::Depth>* depth;  // may be null
     };
@@ -33,18 +33,19 @@ public:
 
     void add_to(DrawCounts& counts) const;
     std::size_t bytes() const {
-        return band_.bytes() + shade_.bytes() + raster::bytes_held(items_);
+        return band_.bytes() + row_.bytes() + raster::bytes_held(items_);
     }
 
 private:
-    void see(const Picture& picture, const ObjectPass& pass, int number);
+    void draw_lit(const Picture& picture, int number);
+    void draw_then_light(const Picture& picture, int number);
+    std::size_t see(const Picture& picture, const ObjectPass& pass, int number);
     std::span<const raster::FaceItem> lit_sides(Sides sides,
                                                 std::span<const raster::FaceItem> items);
-    void shade(const Picture& picture, const ObjectPass& pass, Background background);
     void copy_depth(raster::Plane<raster::Depth>& to);
 
     raster::VisibleBand band_;
-    ShadeScratch shade_;
+    VectorStreams row_;  // colours of a row of pixels
     WalkMemories walks_;
     std::vector<raster::FaceItem> items_;
     std::size_t shaded_ = 0;

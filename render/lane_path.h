@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "raster/lane_path.h"
@@ -19,13 +20,19 @@ struct LanePath {
     /// Illuminates vertices [begin, end), begin a multiple of 64. The largest finite channel.
     float (*light_vertices)(ObjectPass&, std::size_t begin, std::size_t end);
 
-    /// Sets up the attributes of those records that are not of spans.
-    void (*set_up_planes)(const ObjectPass&, raster::AttributeRecords&);
+    /// Draws polygons of the object into the band. Pixels keep their colour where it
+    /// `lights_at_once`; else the polygon's item and the object's attributes.
+    void (*see)(const ObjectPass&, std::span<const raster::FaceItem> items, const Target&,
+                raster::VisibleBand&, raster::Walker&);
 
-    /// Illuminates each pixel of the band that has a record, and stores it in the target. Returns
-    /// how many there were. With `Background::drawn` all other pixels become background.
-    std::size_t (*shade_band)(const ObjectPass&, raster::VisibleBand&, ShadeScratch&, const Target&,
-                              Background);
+    /// Stores the colours that the pixels keep; all others become background.
+    void (*store_band)(raster::VisibleBand&, const Target&);
+
+    /// Illuminates each pixel of the band that is of an item, by what it keeps, and stores it.
+    /// Returns how many there were. With `Background::drawn` all others become background. `row` is
+    /// memory for a row's colours.
+    std::size_t (*light_band)(const ObjectPass&, raster::VisibleBand&, VectorStreams& row,
+                              const Target&, Background);
 };
 
 /// Those that this machine can run, the fastest first; never empty.

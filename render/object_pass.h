@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "raster/attribute_records.h"
+#include "raster/attributes.h"
 #include "raster/bins.h"
 #include "raster/packed.h"
 #include "raster/polygon_streams.h"
@@ -67,13 +67,10 @@ inline raster::Viewport size_of(const Target& target) {
 /// Whether what shows nothing is left as it is, or becomes background.
 enum class Background { kept, drawn };
 
-/// One thread's memory for shading a band.
-struct ShadeScratch {
-    raster::AttributeRecords records;
-    VectorStreams face_colors;  // flat: of each record
-    VectorStreams row;          // colours of a row of pixels
-
-    std::size_t bytes() const { return records.bytes() + face_colors.bytes() + row.bytes(); }
-};
+/// Whether a pixel gets its light as soon as a surface is seen there. Else that waits until the
+/// nearest is known: where light is dear, and where a colour is more than one number to keep.
+inline bool lights_at_once(const Settings& settings, const Target& target) {
+    return settings.shading != Shading::phong && std::holds_alternative<PackedTarget>(target);
+}
 
 }  // namespace scanlight::render

@@ -80,62 +80,30 @@ std::vector<raster::ScreenVertex<0>> clipped_face(const ObjectPass& pass, std::s
     return clipped<0>(pass, static_cast<raster::FaceItem>(face));
 }
 
-void Walker::draw(raster::FaceItem face) {
+void Walker::draw(raster::FaceItem face, raster::SpanPainter& spans) {
     switch (pass_.attributes.count) {
         case 0:
-            return draw_as_one(face);
+            return walk<0>(face, spans);
         case 3:
-            return draw_spans<3>(face);
+            return walk<3>(face, spans);
         case 4:
-            return draw_spans<4>(face);
+            return walk<4>(face, spans);
         case 7:
-            return draw_spans<7>(face);
+            return walk<7>(face, spans);
         default:
             assert(false && "no technique has so many attributes");
     }
 }
 
-/// How many pixels of the span come to be seen, as those of the record to come.
 template <int N>
-std::size_t Walker::draw(const raster::Span<N>& span) {
-    band_.touch(span.x_begin, span.x_end);
-    const std::size_t passed =
-        path_.draw_span(band_.depth_row(span.y), band_.item_row(span.y), span.x_begin, span.x_end,
-                        span.ramps.depth, static_cast<raster::Item>(records_.count));
-    band_.counts() += {1, static_cast<std::size_t>(span.x_end - span.x_begin), passed};
-    return passed;
-}
-
-/// All spans are of one record: it has no attributes.
-void Walker::draw_as_one(raster::FaceItem face) {
-    auto& [filler, corners] = std::get<WalkMemory<0>>(memories_);
-    gather_corners(pass_, face, corners);
-    records_.reserve(records_.count + 1);
-    std::size_t passed = 0;
-    filler.fill(
-        corners, raster::Interpolation::planar,
-        [&](const raster::Span<0>& span) { passed += draw(span); }, raster::NoObserver{},
-        band_.rows());
-    records_.face[records_.count] = static_cast<std::int32_t>(face);
-    if (passed > 0) ++records_.count;
-}
-
-/// Each span has a record of its own.
-template <int N>
-void Walker::draw_spans(raster::FaceItem face) {
+void Walker::walk(raster::FaceItem face, raster::SpanPainter& spans) {
     auto& [filler, corners] = std::get<WalkMemory<N>>(memories_);
     gather_corners(pass_, face, corners);
     const auto emit = [&](const raster::Span<N>& span) {
-        if (draw(span) == 0) return;
-        records_.reserve(records_.count + 1);
-        for (std::size_t k = 0; k < N; ++k) {
-            records_.attributes[k].set(records_.count,
-                                       raster::record_of(span.ramps.attributes[k], span.x_begin));
-        }
-        records_.face[records_.count++] = static_cast<std::int32_t>(face | raster::walk_flag);
-        records_.has_fractions = true;
+        spans.draw_span(span.y, span.x_begin, span.x_end, span.ramps.depth,
+                        span.ramps.attributes.data());
     };
-    filler.fill(corners, raster::Interpolation::planar, emit, raster::NoObserver{}, band_.rows());
+    filler.fill(corners, raster::Interpolation::planar, emit, raster::NoObserver{}, rows_);
 }
 
 }  // namespace scanlight::render

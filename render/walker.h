@@ -27,24 +27,19 @@ using WalkMemories = std::tuple<WalkMemory<0>, WalkMemory<3>, WalkMemory<4>, Wal
 /// edges, span by span.
 class Walker : public raster::Walker {
 public:
-    Walker(const ObjectPass& pass, const raster::LanePath& path, WalkMemories& memories,
-           raster::VisibleBand& band, raster::AttributeRecords& records)
-        : pass_(pass), path_(path), memories_(memories), band_(band), records_(records) {}
+    /// Draws the spans in `rows`.
+    Walker(const ObjectPass& pass, WalkMemories& memories, raster::Rows rows)
+        : pass_(pass), memories_(memories), rows_(rows) {}
 
-    void draw(raster::FaceItem face) override;
+    void draw(raster::FaceItem face, raster::SpanPainter& spans) override;
 
 private:
     template <int N>
-    void draw_spans(raster::FaceItem face);
-    template <int N>
-    std::size_t draw(const raster::Span<N>& span);
-    void draw_as_one(raster::FaceItem face);
+    void walk(raster::FaceItem face, raster::SpanPainter& spans);
 
     const ObjectPass& pass_;
-    const raster::LanePath& path_;
     WalkMemories& memories_;
-    raster::VisibleBand& band_;
-    raster::AttributeRecords& records_;
+    raster::Rows rows_;
 };
 
 }  // namespace scanlight::render

@@ -4,6 +4,8 @@
 #include <array>
 
 #include "raster/crossing.h"
+#include "raster/lanes/attributes.h"
+#include "raster/lanes/spans.h"
 #include "raster/lanes/triangles.h"
 
 namespace scanlight::raster::HWY_NAMESPACE {
@@ -11,15 +13,18 @@ namespace scanlight::raster::HWY_NAMESPACE {
 /// One large triangle with a plane: down its left and its right edge, row by row, each row a long
 /// span. The same pixels as the walk by edge table finds, whose table of three edges needs no
 /// bookkeeping: one edge goes from the top corner to the bottom one, the others meet at the middle.
+template <class Keep>
 class LargeTriangle {
 public:
-    LargeTriangle(const PreparedTriangles& t, int lane, std::array<ScreenPoint, 3> corners,
-                  Item item, VisibleBand& band)
+    LargeTriangle(std::array<ScreenPoint, 3> corners, const PreparedTriangles& triangles, int lane,
+                  const PreparedAttributes<Keep::attributes>& attributes, const Keep& keep,
+                  std::int32_t own, VisibleBand& band)
         : corners_(corners),
-          plane_{t.depth[lane], t.depth_dx[lane], t.depth_dy[lane]},
-          reference_x_(t.reference_x[lane]),
-          reference_y_(t.reference_y[lane]),
-          item_(item),
+          t_(triangles),
+          lane_(lane),
+          attributes_(attributes),
+          keep_(keep),
+          own_(own),
           band_(band) {
         std::ranges::sort(corners_, [](const auto& a, const auto& b) { return a.y < b.y; });
     }
@@ -49,15 +54,21 @@ private:
 
     void draw_row(int y, int x_begin, int x_end) {
         if (x_begin == x_end) return;
-        const Ramp z{plane_.at(x_begin - reference_x_, y - reference_y_), plane_.dx};
-        counts_ += {1, static_cast<std::size_t>(x_end - x_begin),
-                    draw_span(band_.depth_row(y), band_.item_row(y), x_begin, x_end, z, item_)};
+        const std::int64_t dx = t_.depth_plane(lane_).dx;
+        const RampLanes z(Ramp{t_.depth_at(lane_, x_begin, y), dx});
+        PlaneValues<Keep::attributes> values(attributes_, lane_, x_begin, y);
+        values.step_right(attributes_, lane_);
+        const std::size_t passed =
+            draw_span(band_.row(y), x_begin, x_end, z, values, keep_, Ints(own_));
+        counts_ += {1, static_cast<std::size_t>(x_end - x_begin), passed};
     }
 
     std::array<ScreenPoint, 3> corners_;
-    DepthPlane plane_;
-    int reference_x_, reference_y_;
-    Item item_;
+    const PreparedTriangles& t_;
+    int lane_;
+    const PreparedAttributes<Keep::attributes>& attributes_;
+    const Keep& keep_;
+    std::int32_t own_;
     VisibleBand& band_;
     PixelCounts counts_;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raster/fixed.h"
+#include "raster/lanes/keep.h"
 #include "raster/lanes/numbers.h"
 #include "raster/ramp.h"
 #include "raster/visible_band.h"
@@ -13,6 +14,7 @@ namespace scanlight::raster::HWY_NAMESPACE {
 /// The same bits as `Ramp::get` after as many `Ramp::step`s.
 class RampLanes {
 public:
+    RampLanes() = default;
     /// The first lane is `value`, each one on the right more by `dx`; a step adds `step`.
     RampLanes(std::int64_t value, std::int64_t dx, std::int64_t step)
         : whole_(Ints(whole(value)) + iota() * Ints(whole(dx))),
@@ -46,31 +48,42 @@ private:
     Ints fraction_step_;
 };
 
-/// The z-buffer for one vector of pixels: where `z` is nearer than what is there, it and the item
-/// take its place. Returns how many did.
-inline int store_nearer(Mask covered, Ints z, Ints item, Depth* depth, Item* items) {
-    const Mask nearer = covered & (z < load(depth));
-    if (!any(nearer)) return 0;
-    store_where(nearer, z, depth);
-    store_where(nearer, item, items);
-    return count(nearer);
-}
+/// The ramps of N attributes, see `RampLanes`.
+template <int N>
+class RampValues {
+public:
+    explicit RampValues(const Ramp* ramps) {
+        for (int k = 0; k < N; ++k)
+            ramps_[k] = RampLanes(ramps[k]);
+    }
+    void get(Ints* to) const {
+        for (int k = 0; k < N; ++k)
+            to[k] = ramps_[k].get();
+    }
+    void step() {
+        for (int k = 0; k < N; ++k)
+            ramps_[k].step();
+    }
 
-/// Draws pixels [x_begin, x_end) of a row, their depth by a ramp that begins at x_begin.
-inline std::size_t draw_span(Depth* depth, Item* items, int x_begin, int x_end, const Ramp& ramp,
-                             Item item) {
-    RampLanes z(ramp);
-    const Ints item_lanes(item);
+private:
+    RampLanes ramps_[N + 1];
+};
+
+/// Draws pixels [x_begin, x_end) of a row whose first pixel is `row`; `z` and `values` begin at
+/// x_begin and step along it. Returns how many passed.
+template <class Keep, class Values>
+std::size_t draw_span(PixelPlace row, int x_begin, int x_end, RampLanes z, Values values,
+                      const Keep& keep, Ints own) {
     const Mask whole = first_lanes(lane_count);
     std::size_t passed = 0;
     int x = x_begin;
-    for (; x + lane_count <= x_end; x += lane_count, z.step()) {
+    for (; x + lane_count <= x_end; x += lane_count, z.step(), values.step()) {
         passed += static_cast<std::size_t>(
-            store_nearer(whole, z.get(), item_lanes, depth + x, items + x));
+            store_nearer(whole, z.get(), keep, own, values, row + x));
     }
     if (x < x_end) {
         passed += static_cast<std::size_t>(
-            store_nearer(first_lanes(x_end - x), z.get(), item_lanes, depth + x, items + x));
+            store_nearer(first_lanes(x_end - x), z.get(), keep, own, values, row + x));
     }
     return passed;
 }

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <algorithm>
-
 #include "raster/lanes/planes.h"
-#include "raster/lanes/spans.h"
+#include "raster/rows.h"
 
 namespace scanlight::raster::HWY_NAMESPACE {
 
@@ -33,6 +31,18 @@ struct alignas(64) PreparedTriangles {
     std::uint32_t small;   // which are small
     std::uint32_t tiny;    // which are tiny
     std::uint32_t unseen;  // which are tiny and cover no pixel
+
+    DepthPlane depth_plane(int lane) const { return {depth[lane], depth_dx[lane], depth_dy[lane]}; }
+    /// At the centre of a pixel, as a `Ramp` has it.
+    std::int64_t depth_at(int lane, int x, int y) const {
+        return depth_plane(lane).at(x - reference_x[lane], y - reference_y[lane]);
+    }
+};
+
+/// What else of them is known, a lane a triangle, for attributes.
+struct TriangleSetup {
+    PlaneSetupLanes planes;
+    Ints column, row;  // the reference pixel
 };
 
 /// Pineda 1988, "A Parallel Algorithm for Polygon Rasterization": E(p) of the edge from a to b,
@@ -98,9 +108,10 @@ inline Ints tiny_coverage(EdgeLanes (&edges)[3], Ints y_begin, Ints y_end, Mask 
     return pixels;
 }
 
-inline void prepare_depth(const DepthPlaneLanes& plane, Ints x0, Ints y0, PreparedTriangles& out) {
-    store(shift_right<subpixel_bits>(x0), out.reference_x);
-    store(shift_right<subpixel_bits>(y0), out.reference_y);
+inline void store_depth(const DepthPlaneLanes& plane, const TriangleSetup& setup,
+                        PreparedTriangles& out) {
+    store(setup.column, out.reference_x);
+    store(setup.row, out.reference_y);
     store(plane.origin, out.depth);
     store(plane.dx, out.depth_dx);
     store(plane.dy, out.depth_dy);
@@ -111,8 +122,8 @@ inline Ints gathered(std::span<const std::int32_t> stream, Ints index) {
 }
 
 /// `rows` are those of the band.
-inline void prepare(const PolygonStreams& streams, const TriangleLanes& v, Rows rows,
-                    PreparedTriangles& out) {
+inline TriangleSetup prepare(const PolygonStreams& streams, const TriangleLanes& v, Rows rows,
+                             PreparedTriangles& out) {
     const Ints x[3] = {gathered(streams.x, v.a), gathered(streams.x, v.b),
                        gathered(streams.x, v.c)};
     const Ints y[3] = {gathered(streams.y, v.a), gathered(streams.y, v.b),
@@ -129,11 +140,12 @@ inline void prepare(const PolygonStreams& streams, const TriangleLanes& v, Rows 
     store(x_end, out.x_end);
     store(y_begin, out.y_begin);
     store(y_end, out.y_end);
-    const PlaneSetupLanes setup = plane_setup(x, y);
-    const DepthPlaneLanes plane = depth_plane(setup, z);
-    prepare_depth(plane, x[0], y[0], out);
+    const TriangleSetup setup{plane_setup(x, y), shift_right<subpixel_bits>(x[0]),
+                              shift_right<subpixel_bits>(y[0])};
+    const DepthPlaneLanes plane = depth_plane(setup.planes, z);
+    store_depth(plane, setup, out);
     EdgeLanes edges[3];
-    edge_functions(x, y, setup.inverse_area > Doubles(0.0), x_begin, y_begin, edges);
+    edge_functions(x, y, setup.planes.inverse_area > Doubles(0.0), x_begin, y_begin, edges);
     store_edges(edges, out);
     const Ints limit(small_size * subpixels);
     const Mask small = (xs.high - xs.low < limit) & (ys.high - ys.low < limit);
@@ -145,99 +157,7 @@ inline void prepare(const PolygonStreams& streams, const TriangleLanes& v, Rows 
     out.small = bits_of(small);
     out.tiny = bits_of(tiny);
     out.unseen = bits_of(tiny & (pixels == Ints(0)));
+    return setup;
 }
-
-/// How many rows of a tiny box hold pixels.
-inline std::size_t tiny_row_count(std::uint32_t pixels) {
-    const std::uint32_t pairs = pixels | pixels >> 1;
-    return static_cast<std::size_t>(std::popcount((pairs | pairs >> 2) & 0x11111111u));
-}
-
-/// Draws the pixels of one tiny triangle one by one.
-inline PixelCounts draw_tiny(const PreparedTriangles& t, int lane, Item item, VisibleBand& band) {
-    const DepthPlane plane{t.depth[lane], t.depth_dx[lane], t.depth_dy[lane]};
-    const std::int64_t z =
-        plane.at(t.x_begin[lane] - t.reference_x[lane], t.y_begin[lane] - t.reference_y[lane]);
-    Depth* const depth = band.depth_row(band.rows().y_begin) + t.x_begin[lane];
-    Item* const items = band.item_row(band.rows().y_begin) + t.x_begin[lane];
-    const int first_row = t.y_begin[lane] - band.rows().y_begin;  // above the band: negative
-    const auto stride = static_cast<int>(band.stride());
-    const auto pixels = static_cast<std::uint32_t>(t.pixels[lane]);
-    std::size_t passed = 0;
-    for (std::uint32_t left = pixels; left != 0; left &= left - 1) {
-        const int bit = std::countr_zero(left);
-        const int column = bit % tiny_columns;
-        const int row = bit / tiny_columns;
-        const Depth d = Ramp{z + column * plane.dx + row * plane.dy, 0}.get();
-        const int at = (first_row + row) * stride + column;
-        if (d >= depth[at]) continue;
-        depth[at] = d;
-        items[at] = item;
-        ++passed;
-    }
-    return {tiny_row_count(pixels), static_cast<std::size_t>(std::popcount(pixels)), passed};
-}
-
-/// One small triangle: a lane is a pixel, a vector a piece of a row.
-class SmallTriangle {
-public:
-    SmallTriangle(const PreparedTriangles& t, int lane, Item item, VisibleBand& band)
-        : item_(item), band_(band), x_begin_(t.x_begin[lane]), x_end_(t.x_end[lane]) {
-        y_begin_ = std::max(t.y_begin[lane], band.rows().y_begin);
-        y_end_ = std::min(t.y_end[lane], band.rows().y_end);
-        const int skipped = y_begin_ - t.y_begin[lane];
-        for (int k = 0; k < 3; ++k) {
-            edge_[k] = t.edge[k][lane] + skipped * t.edge_dy[k][lane];
-            edge_dx_[k] = t.edge_dx[k][lane];
-            edge_dy_[k] = t.edge_dy[k][lane];
-        }
-        const DepthPlane plane{t.depth[lane], t.depth_dx[lane], t.depth_dy[lane]};
-        depth_ = plane.at(x_begin_ - t.reference_x[lane], y_begin_ - t.reference_y[lane]);
-        depth_dx_ = plane.dx;
-        depth_dy_ = plane.dy;
-    }
-
-    PixelCounts draw() const {
-        PixelCounts counts;
-        for (int x = x_begin_; x < x_end_; x += lane_count)
-            draw_column(x, counts);
-        return counts;
-    }
-
-private:
-    /// A vector wide, from x on.
-    void draw_column(int x, PixelCounts& counts) const {
-        const int right = x - x_begin_;
-        const Ints column = iota() + Ints(right);
-        Ints edge0 = Ints(edge_[0]) + column * Ints(edge_dx_[0]);
-        Ints edge1 = Ints(edge_[1]) + column * Ints(edge_dx_[1]);
-        Ints edge2 = Ints(edge_[2]) + column * Ints(edge_dx_[2]);
-        RampLanes z(depth_ + right * depth_dx_, depth_dx_, depth_dy_);
-        Depth* depth = band_.depth_row(y_begin_) + x;
-        Item* items = band_.item_row(y_begin_) + x;
-        for (int y = y_begin_; y < y_end_; ++y) {
-            const Mask covered = Ints(-1) < (edge0 | edge1 | edge2);
-            const int pixels = count(covered);
-            if (pixels > 0) {
-                ++counts.spans;
-                counts.tested += static_cast<std::size_t>(pixels);
-                counts.passed += static_cast<std::size_t>(
-                    store_nearer(covered, z.get(), Ints(item_), depth, items));
-            }
-            edge0 += Ints(edge_dy_[0]);
-            edge1 += Ints(edge_dy_[1]);
-            edge2 += Ints(edge_dy_[2]);
-            z.step();
-            depth += band_.stride();
-            items += band_.stride();
-        }
-    }
-
-    Item item_;
-    VisibleBand& band_;
-    int x_begin_, x_end_, y_begin_, y_end_;
-    std::int32_t edge_[3], edge_dx_[3], edge_dy_[3];
-    std::int64_t depth_, depth_dx_, depth_dy_;
-};
 
 }  // namespace scanlight::raster::HWY_NAMESPACE

@@ -1,5 +1,6 @@
 #include "render/lane_path.h"
 
+#include "raster/lanes/band_painter.h"
 #include "render/lanes/light_vertices.h"
 #include "render/lanes/shade.h"
 #include "render/lanes/store.h"
@@ -26,39 +27,67 @@ float light_vertices(ObjectPass& pass, std::size_t begin, std::size_t end) {
     });
 }
 
-void set_up_planes(const ObjectPass& pass, raster::AttributeRecords& records) {
-    PlaneRecorder(pass.polygons, pass.attributes).set_up(records);
+template <class Keep>
+void draw(const ObjectPass& pass, std::span<const raster::FaceItem> items, const Keep& keep,
+          raster::VisibleBand& band, raster::Walker& walker) {
+    BandPainter<Keep>(pass.polygons, pass.attributes, keep, band, walker).draw(items);
+}
+
+void see_colors(const ObjectPass& pass, std::span<const raster::FaceItem> items,
+                raster::Encoding encoding, raster::VisibleBand& band, raster::Walker& walker) {
+    if (pass.settings->shading == Shading::flat)
+        return draw(pass, items, KeepFlatColor(pass, encoding), band, walker);
+    if (encoding == raster::Encoding::srgb)
+        return draw(pass, items, KeepGouraudColor<raster::Encoding::srgb>(pass), band, walker);
+    draw(pass, items, KeepGouraudColor<raster::Encoding::linear>(pass), band, walker);
+}
+
+void see(const ObjectPass& pass, std::span<const raster::FaceItem> items, const Target& target,
+         raster::VisibleBand& band, raster::Walker& walker) {
+    if (lights_at_once(*pass.settings, target)) {
+        const auto encoding = std::get_if<PackedTarget>(&target)->encoding;
+        return see_colors(pass, items, encoding, band, walker);
+    }
+    switch (pass.attributes.count) {
+        case 3:
+            return draw(pass, items, KeepAttributes<3>(), band, walker);
+        case 4:
+            return draw(pass, items, KeepAttributes<4>(), band, walker);
+        case 7:
+            return draw(pass, items, KeepAttributes<7>(), band, walker);
+        default:
+            raster::HWY_NAMESPACE::lane_path.draw_items(pass.polygons, items, band, walker);
+    }
+}
+
+void store_band(raster::VisibleBand& band, const Target& target) {
+    for (int y = band.rows().y_begin; y < band.rows().y_end; ++y)
+        store_pixels(band, y, *std::get_if<PackedTarget>(&target));
 }
 
 template <class Technique>
-std::size_t shade_rows(const Technique& technique, raster::VisibleBand& band, ShadeScratch& scratch,
+std::size_t light_rows(const Technique& technique, raster::VisibleBand& band, VectorStreams& row,
                        const Target& target, Background background) {
-    scratch.row.resize(static_cast<std::size_t>(band.width()) + raster::most_lanes);
+    row.resize(static_cast<std::size_t>(band.width()) + raster::most_lanes);
+    const RowLighter lighter(technique, band, row);
     std::size_t pixels = 0;
     for (int y = band.rows().y_begin; y < band.rows().y_end; ++y) {
-        technique.shade_row(band, y);
-        pixels += store_row(scratch.row, band, y, target, background);
+        lighter.light(y);
+        pixels += store_row(row, band, y, target, background);
     }
     return pixels;
 }
 
-std::size_t shade_band(const ObjectPass& pass, raster::VisibleBand& band, ShadeScratch& scratch,
+std::size_t light_band(const ObjectPass& pass, raster::VisibleBand& band, VectorStreams& row,
                        const Target& target, Background background) {
-    const auto shade = [&](const auto& technique) {
-        return shade_rows(technique, band, scratch, target, background);
+    const auto light = [&](const auto& technique) {
+        return light_rows(technique, band, row, target, background);
     };
-    switch (pass.settings->shading) {
-        case Shading::flat:
-            return shade(FlatLanes(pass, scratch));
-        case Shading::gouraud:
-            return shade(PixelByPixel(GouraudLanes(pass), scratch));
-        case Shading::phong:
-            break;
-    }
+    if (pass.settings->shading == Shading::flat) return light(FlatLanes(pass));
+    if (pass.settings->shading == Shading::gouraud) return light(GouraudLanes(pass));
     return with_model(*pass.settings, [&](auto model) {
         return with_paint(pass.mesh(), [&](auto paint) {
-            const PhongLanes<decltype(model), paint> technique(pass, scratch, model);
-            return shade(PixelByPixel(technique, scratch));
+            return light(PhongLanes<decltype(model), paint>(pass, model));
         });
     });
 }
@@ -67,6 +96,6 @@ std::size_t shade_band(const ObjectPass& pass, raster::VisibleBand& band, ShadeS
 
 extern const LanePath lane_path;
 const LanePath lane_path{&raster::HWY_NAMESPACE::lane_path, place_vertices, light_vertices,
-                         set_up_planes, shade_band};
+                         see, store_band, light_band};
 
 }  // namespace scanlight::render::HWY_NAMESPACE

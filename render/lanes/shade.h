@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "raster/lanes/attributes.h"
+#include "raster/lanes/keep.h"
 #include "raster/lanes/numbers.h"
 #include "raster/lanes/pack.h"
 #include "render/object_pass.h"
@@ -60,58 +61,34 @@ ColorLanes light_by_material(const ObjectPass& pass, Ints face, Mask wanted, Lig
 struct PixelLanes {
     int x, y;
     Ints depth;
-    Mask shown;   // somewhere
-    Ints record;  // where nothing is shown, that of a pixel where something is
-    AttributeLanes attributes;
+    Mask shown;  // somewhere
+    Ints item;   // where nothing is shown, that of a pixel where something is
+    Floats attributes[raster::most_attributes];
 
+    Ints face() const { return item & Ints(static_cast<std::int32_t>(raster::face_mask)); }
+    Mask back() const { return item < Ints(0); }
     VectorLanes vector(int first) const {
-        return {attributes.value[first], attributes.value[first + 1], attributes.value[first + 2]};
+        return {attributes[first], attributes[first + 1], attributes[first + 2]};
     }
 };
 
 /// One intensity a face: see `FlatTechnique`.
 class FlatLanes {
 public:
-    FlatLanes(const ObjectPass& pass, ShadeScratch& scratch) : pass_(pass), scratch_(scratch) {
-        with_model(*pass_.settings, [&](auto model) { light_faces(model); });
-    }
+    static constexpr int attributes = 0;
 
-    /// The colours of all pixels of a row that show something.
-    SCANLIGHT_FLATTEN void shade_row(raster::VisibleBand& band, int y) const {
-        const VectorStreams& colors = scratch_.face_colors;
-        VectorStreams& row = scratch_.row;
-        for_each_run(band.item_row(y), band.touched(), [&](int x, std::size_t record) {
-            store(Floats(colors.x[record]), row.x.data() + x);
-            store(Floats(colors.y[record]), row.y.data() + x);
-            store(Floats(colors.z[record]), row.z.data() + x);
-        });
+    explicit FlatLanes(const ObjectPass& pass) : pass_(pass) {}
+
+    ColorLanes shade(const PixelLanes& pixels) const { return color_of(pixels.item); }
+
+    /// A lane is a polygon.
+    ColorLanes color_of(Ints item) const {
+        return with_model(*pass_.settings, [&](auto model) { return lit(model, item); });
     }
 
 private:
     template <class Model>
-    void light_faces(const Model& model) {
-        const std::size_t count = scratch_.records.count;
-        auto& colors = scratch_.face_colors;
-        if (colors.x.size() < count + lane_count) colors.resize(2 * count + lane_count);
-        for (std::size_t i = 0; i < count; i += lane_count)
-            light_lanes(model, i, count);
-    }
-
-    template <class Model>
-    SCANLIGHT_FLATTEN void light_lanes(const Model& model, std::size_t i, std::size_t count) {
-        const ColorLanes color = face_color(model, faces_at(i, count));
-        store(color.x, scratch_.face_colors.x.data() + i);
-        store(color.y, scratch_.face_colors.y.data() + i);
-        store(color.z, scratch_.face_colors.z.data() + i);
-    }
-
-    Ints faces_at(std::size_t i, std::size_t count) const {
-        const int n = static_cast<int>(std::min<std::size_t>(lane_count, count - i));
-        return select(first_lanes(n), load(scratch_.records.face.data() + i), Ints(0));
-    }
-
-    template <class Model>
-    ColorLanes face_color(const Model& model, Ints item) const {
+    SCANLIGHT_FLATTEN ColorLanes lit(const Model& model, Ints item) const {
         const Ints face = item & Ints(static_cast<std::int32_t>(raster::face_mask));
         const VectorLanes point = mean_corner(face);
         const VectorLanes normal = transformed_normal(pass_.placing.normals_from_object,
@@ -163,7 +140,6 @@ private:
     }
 
     const ObjectPass& pass_;
-    ShadeScratch& scratch_;
 };
 
 /// a = (a q) / q, see `undivided`.
@@ -175,10 +151,15 @@ inline ColorLanes undivided_lanes(const ColorLanes& a_q, Floats q) {
 /// Interpolated intensities: see `GouraudTechnique`.
 class GouraudLanes {
 public:
+    static constexpr int attributes = 4;
+
     explicit GouraudLanes(const ObjectPass& pass) : unit_(pass.unit) {}
 
     ColorLanes shade(const PixelLanes& pixels) const {
-        return undivided_lanes(pixels.vector(0), pixels.attributes.value[3]) * unit_;
+        return color_of(pixels.vector(0), pixels.attributes[3]);
+    }
+    ColorLanes color_of(const ColorLanes& color_q, Floats q) const {
+        return undivided_lanes(color_q, q) * unit_;
     }
 
 private:
@@ -189,14 +170,15 @@ private:
 template <class Model, Paint paint>
 class PhongLanes {
 public:
-    PhongLanes(const ObjectPass& pass, const ShadeScratch& scratch, const Model& model)
-        : pass_(pass), records_(scratch.records), model_(model) {}
+    static constexpr int attributes = paint == Paint::vertices ? 7 : 3;
+
+    PhongLanes(const ObjectPass& pass, const Model& model) : pass_(pass), model_(model) {}
 
     ColorLanes shade(const PixelLanes& pixels) const {
         const VectorLanes point = point_at(pixels);
         const shading::Surface<Floats> surface{point, normal_at(pixels),
                                                view_from(pass_.frame->viewpoint, point)};
-        return light_by_material(pass_, pixels, [&](const auto& material) {
+        return light_by_material(pass_, pixels.face(), pixels.shown, [&](const auto& material) {
             return illuminate(model_, surface,
                               painted_by<paint>(material, [&] { return vertex_color(pixels); }),
                               pass_.frame->lighting);
@@ -204,20 +186,6 @@ public:
     }
 
 private:
-    template <class Light>
-    ColorLanes light_by_material(const ObjectPass& pass, const PixelLanes& pixels,
-                                 Light&& light) const {
-        if (pass.object->materials.size() == 1) return light(pass.object->materials.front());
-        return render::HWY_NAMESPACE::light_by_material(pass, face_of(item_of(pixels)),
-                                                        pixels.shown, light);
-    }
-    Ints item_of(const PixelLanes& pixels) const {
-        return gather(records_.face.data(), pixels.record);
-    }
-    static Ints face_of(Ints item) {
-        return item & Ints(static_cast<std::int32_t>(raster::face_mask));
-    }
-
     /// `Frame::point_at`.
     VectorLanes point_at(const PixelLanes& lanes) const {
         const VectorLanes screen(floats_of(Ints(lanes.x) + iota()) + Floats(0.5f),
@@ -237,67 +205,112 @@ private:
     }
 
     VectorLanes face_normal(const PixelLanes& pixels) const {
-        const Ints item = item_of(pixels);
         const VectorLanes normal = transformed_normal(
-            pass_.placing.normals_from_object, gather(pass_.mesh().face_normals, face_of(item)));
-        return shading::select(item < Ints(0), -normal, normal);
+            pass_.placing.normals_from_object, gather(pass_.mesh().face_normals, pixels.face()));
+        return shading::select(pixels.back(), -normal, normal);
     }
 
-    ColorLanes vertex_color(const PixelLanes& pixels) const {
-        return undivided_lanes(pixels.vector(3), pixels.attributes.value[6]);
+    VectorLanes vertex_color(const PixelLanes& pixels) const {
+        return undivided_lanes(pixels.vector(3), pixels.attributes[6]);
     }
 
     const ObjectPass& pass_;
-    const raster::AttributeRecords& records_;
     Model model_;
 };
 
-// ---- the walk over a band
+// ---- light at once: see raster/lanes/keep.h
 
-/// A technique that lights pixel by pixel what its attributes say.
-template <class PixelTechnique>
-class PixelByPixel {
+/// Pixels keep the colour of the polygon.
+class KeepFlatColor {
 public:
-    PixelByPixel(const PixelTechnique& technique, ShadeScratch& scratch)
-        : technique_(technique), scratch_(scratch) {}
+    static constexpr int attributes = 0;
+    static constexpr int numbers = 1;
 
-    /// The colours of all pixels of a row that show something.
-    SCANLIGHT_FLATTEN void shade_row(raster::VisibleBand& band, int y) const {
-        const raster::Columns columns = band.touched();
+    KeepFlatColor(const ObjectPass& pass, raster::Encoding encoding)
+        : technique_(pass), encoding_(encoding) {}
+
+    Ints own(Ints item) const {
+        const ColorLanes color = technique_.color_of(item);
+        return encoding_ == raster::Encoding::srgb
+                   ? pack_lanes<raster::Encoding::srgb>(color.x, color.y, color.z)
+                   : pack_lanes<raster::Encoding::linear>(color.x, color.y, color.z);
+    }
+    Kept<1> of(Ints own, const Ints*) const { return {{own}}; }
+
+private:
+    FlatLanes technique_;
+    raster::Encoding encoding_;
+};
+
+/// Pixels keep the colour that the intensities of the corners come to.
+template <raster::Encoding encoding>
+class KeepGouraudColor {
+public:
+    static constexpr int attributes = GouraudLanes::attributes;
+    static constexpr int numbers = 1;
+
+    explicit KeepGouraudColor(const ObjectPass& pass) : technique_(pass) {}
+
+    Ints own(Ints) const { return Ints(0); }
+    Kept<1> of(Ints, const Ints* a) const {
+        const ColorLanes color = technique_.color_of(
+            {float_lanes(a[0]), float_lanes(a[1]), float_lanes(a[2])}, float_lanes(a[3]));
+        return {{pack_lanes<encoding>(color.x, color.y, color.z)}};
+    }
+
+private:
+    GouraudLanes technique_;
+};
+
+// ---- light that waited
+
+/// Lights the pixels of an object by what they keep, row by row.
+template <class Technique>
+class RowLighter {
+public:
+    RowLighter(const Technique& technique, raster::VisibleBand& band, VectorStreams& row)
+        : technique_(technique), band_(band), row_(row) {}
+
+    /// The colours of all pixels of a row that are of an item.
+    SCANLIGHT_FLATTEN void light(int y) const {
+        const raster::Columns columns = band_.touched();
         PixelLanes pixels;
         for (int x = columns.begin; x < columns.end; x += lane_count) {
-            if (read(band, x, y, pixels)) write(technique_.shade(pixels), x);
+            if (read(x, y, pixels)) write(technique_.shade(pixels), x);
         }
     }
 
 private:
     /// False where nothing is shown.
-    bool read(raster::VisibleBand& band, int x, int y, PixelLanes& pixels) const {
-        const Ints record = load(band.item_row(y) + x);
-        pixels.shown = Ints(-1) < record;
+    bool read(int x, int y, PixelLanes& pixels) const {
+        const raster::PixelPlace at = band_.row(y) + x;
+        const Ints item = load(at.kept(0));
+        pixels.shown = item != Ints(raster::no_item);
         if (!any(pixels.shown)) return false;
         pixels.x = x;
         pixels.y = y;
-        pixels.depth = load(band.depth_row(y) + x);
-        pixels.record = all(pixels.shown) ? record : with_neighbours(record, pixels.shown);
-        pixels.attributes = RecordReader(scratch_.records, x, y).read(pixels.record);
+        pixels.depth = load(at.depth);
+        pixels.item = all(pixels.shown) ? item : with_neighbours(item, pixels.shown);
+        for (int k = 0; k < Technique::attributes; ++k)
+            pixels.attributes[k] = float_lanes(load(at.kept(k + 1)));
         return true;
     }
 
-    static Ints with_neighbours(Ints record, Mask shown) {
-        std::int32_t records[lane_count];
-        store(record, records);
-        return select(shown, record, Ints(records[std::countr_zero(bits_of(shown))]));
+    static Ints with_neighbours(Ints item, Mask shown) {
+        std::int32_t items[lane_count];
+        store(item, items);
+        return select(shown, item, Ints(items[std::countr_zero(bits_of(shown))]));
     }
 
     void write(const ColorLanes& color, int x) const {
-        store(color.x, scratch_.row.x.data() + x);
-        store(color.y, scratch_.row.y.data() + x);
-        store(color.z, scratch_.row.z.data() + x);
+        store(color.x, row_.x.data() + x);
+        store(color.y, row_.y.data() + x);
+        store(color.z, row_.z.data() + x);
     }
 
-    const PixelTechnique& technique_;
-    ShadeScratch& scratch_;
+    const Technique& technique_;
+    raster::VisibleBand& band_;
+    VectorStreams& row_;
 };
 
 }  // namespace scanlight::render::HWY_NAMESPACE

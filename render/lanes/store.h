@@ -10,12 +10,12 @@ using namespace raster::HWY_NAMESPACE;
 
 // How a row of colours becomes pixels, where something is shown. Each returns how many there were.
 
-inline std::size_t store_floats(const VectorStreams& row, const raster::Item* items,
+inline std::size_t store_floats(const VectorStreams& row, const std::int32_t* items,
                                 const FloatTarget& target, int y, Background background) {
     const auto to = target.plane->row(y);
     std::size_t pixels = 0;
     for (std::size_t x = 0; x < to.size(); ++x) {
-        const bool shown = items[x] >= 0;
+        const bool shown = items[x] != raster::no_item;
         if (shown) to[x] = raster::Rgba(row.x[x], row.y[x], row.z[x], 1.0f);
         if (!shown && background == Background::drawn) to[x] = target.background;
         pixels += shown ? 1 : 0;
@@ -41,14 +41,14 @@ inline Ints kept(const std::int32_t* from, int room) {
 
 /// Columns [begin, end), all of which may be seen.
 template <raster::Encoding encoding>
-SCANLIGHT_FLATTEN std::size_t store_columns(const VectorStreams& row, const raster::Item* items,
+SCANLIGHT_FLATTEN std::size_t store_columns(const VectorStreams& row, const std::int32_t* items,
                                             raster::Columns columns, const PackedTarget& target,
                                             std::int32_t* out, Background background) {
     const Ints nothing(static_cast<std::int32_t>(target.background));
     std::size_t pixels = 0;
     for (int x = columns.begin; x < columns.end; x += lane_count) {
         const int room = columns.end - x;
-        const Mask shown = first_lanes(std::min(room, lane_count)) & (Ints(-1) < load(items + x));
+        const Mask shown = first_lanes(std::min(room, lane_count)) & (load(items + x) != Ints(raster::no_item));
         const Ints packed = pack_lanes<encoding>(load(row.x.data() + x), load(row.y.data() + x),
                                                  load(row.z.data() + x));
         const Ints other = background == Background::drawn ? nothing : kept(out + x, room);
@@ -58,22 +58,41 @@ SCANLIGHT_FLATTEN std::size_t store_columns(const VectorStreams& row, const rast
     return pixels;
 }
 
+/// Columns in which nothing is seen.
+inline void store_background(raster::Columns seen, const PackedTarget& target, int y) {
+    const auto to = target.plane->row(y);
+    std::fill_n(to.begin(), seen.begin, target.background);
+    std::fill(to.begin() + seen.end, to.end(), target.background);
+}
+
 template <raster::Encoding encoding>
 std::size_t store_packed(const VectorStreams& row, raster::VisibleBand& band, int y,
                          const PackedTarget& target, Background background) {
-    const auto to = target.plane->row(y);
     const raster::Columns columns = band.touched();
-    if (background == Background::drawn) {
-        std::fill_n(to.begin(), columns.begin, target.background);
-        std::fill(to.begin() + columns.end, to.end(), target.background);
+    if (background == Background::drawn) store_background(columns, target, y);
+    return store_columns<encoding>(
+        row, band.kept_row(0, y), columns, target,
+        reinterpret_cast<std::int32_t*>(target.plane->row(y).data()), background);
+}
+
+/// Pixels that are kept ready.
+SCANLIGHT_FLATTEN inline void store_pixels(raster::VisibleBand& band, int y,
+                                           const PackedTarget& target) {
+    const raster::Columns columns = band.touched();
+    if (columns.begin >= columns.end) return store_background({0, 0}, target, y);
+    store_background(columns, target, y);
+    auto* out = reinterpret_cast<std::int32_t*>(target.plane->row(y).data());
+    const Ints nothing(static_cast<std::int32_t>(target.background));
+    for (int x = columns.begin; x < columns.end; x += lane_count) {
+        const raster::PixelPlace at = band.row(y) + x;
+        const Mask shown = load(at.depth) < Ints(raster::depth_clear);
+        store_some(select(shown, load(at.kept(0)), nothing), columns.end - x, out + x);
     }
-    return store_columns<encoding>(row, band.item_row(y), columns, target,
-                                   reinterpret_cast<std::int32_t*>(to.data()), background);
 }
 
 inline std::size_t store_row(const VectorStreams& row, raster::VisibleBand& band, int y,
                              const Target& target, Background background) {
-    const raster::Item* items = band.item_row(y);
+    const std::int32_t* items = band.kept_row(0, y);
     if (const auto* floats = std::get_if<FloatTarget>(&target))
         return store_floats(row, items, *floats, y, background);
     const auto& packed = *std::get_if<PackedTarget>(&target);  // std::get could throw

@@ -1,0 +1,120 @@
+#pragma once
+
+#include "raster/lane_path.h"
+#include "raster/lanes/large_triangle.h"
+#include "raster/lanes/small_triangle.h"
+#include "raster/lanes/tiny_triangle.h"
+
+namespace scanlight::raster::HWY_NAMESPACE {
+
+/// Draws polygons into one band, in their order; pixels keep what `Keep` says, see keep.h.
+template <class Keep>
+class BandPainter final : public SpanPainter {
+public:
+    BandPainter(const PolygonStreams& streams, const Attributes& attributes, const Keep& keep,
+                VisibleBand& band, Walker& walker)
+        : streams_(streams),
+          preparer_(attributes),
+          keep_(keep),
+          band_(band),
+          walker_(walker),
+          waiting_(keep_, band) {}
+
+    void draw(std::span<const FaceItem> items) {
+        for (std::size_t i = 0; i < items.size(); i += lane_count)
+            draw_vector(items.subspan(i, std::min<std::size_t>(lane_count, items.size() - i)));
+        waiting_.keep();
+    }
+
+    SCANLIGHT_FLATTEN void draw_span(int y, int x_begin, int x_end, const Ramp& depth,
+                                     const Ramp* attributes) override {
+        band_.touch(x_begin, x_end);
+        const std::size_t passed = HWY_NAMESPACE::draw_span(
+            band_.row(y), x_begin, x_end, RampLanes(depth),
+            RampValues<Keep::attributes>(attributes), keep_, Ints(walked_));
+        band_.counts() += {1, static_cast<std::size_t>(x_end - x_begin), passed};
+    }
+
+private:
+    SCANLIGHT_FLATTEN void draw_vector(std::span<const FaceItem> items) {
+        prepare(items);
+        const std::uint32_t triangles = triangles_among(items);
+        const std::uint32_t planar = prepared_.planar & triangles;
+        const std::uint32_t small = prepared_.small & planar;
+        const std::uint32_t tiny = prepared_.tiny & triangles;
+        std::uint32_t left = bits_of(first_lanes(static_cast<int>(items.size())));
+        for (left &= ~(prepared_.unseen & triangles); left != 0; left &= left - 1) {
+            const int lane = std::countr_zero(left);
+            if ((tiny >> lane & 1) != 0) {
+                draw_tiny(lane);
+                continue;
+            }
+            waiting_.keep();  // what comes may lie before what waits
+            const FaceItem item = items[static_cast<std::size_t>(lane)];
+            if ((small >> lane & 1) != 0) {
+                draw_small(lane);
+            } else if ((planar >> lane & 1) != 0) {
+                draw_large(lane, item);
+            } else {
+                walked_ = own_[lane];
+                walker_.draw(item, *this);
+            }
+        }
+    }
+
+    /// Lanes without an item repeat the first.
+    void prepare(std::span<const FaceItem> items) {
+        std::int32_t lanes[lane_count];
+        for (std::size_t i = 0; i < lane_count; ++i)
+            lanes[i] = static_cast<std::int32_t>(items[i < items.size() ? i : 0]);
+        const Ints item = load(lanes);
+        const TriangleLanes v =
+            triangles_at(streams_, item & Ints(static_cast<std::int32_t>(face_mask)));
+        const TriangleSetup setup = HWY_NAMESPACE::prepare(streams_, v, band_.rows(), prepared_);
+        preparer_.prepare(setup.planes, v, item < Ints(0), setup.column, setup.row, attributes_);
+        store(keep_.own(item), own_);
+    }
+
+    /// A bit a lane: which are not to be walked.
+    static std::uint32_t triangles_among(std::span<const FaceItem> items) {
+        std::uint32_t bits = 0;
+        for (std::size_t i = 0; i < items.size(); ++i)
+            bits |= ((items[i] & walk_flag) == 0 ? 1u : 0u) << i;
+        return bits;
+    }
+
+    void draw_tiny(int lane) {
+        note(lane, HWY_NAMESPACE::draw_tiny(prepared_, lane, attributes_, own_[lane], band_,
+                                            waiting_));
+    }
+    void draw_small(int lane) {
+        note(lane,
+             SmallTriangle<Keep>(prepared_, lane, attributes_, keep_, own_[lane], band_).draw());
+    }
+    void draw_large(int lane, FaceItem item) {
+        const auto v = streams_.face(item & face_mask);
+        const auto corner = [&](std::uint32_t i) {
+            return ScreenPoint{streams_.x[i], streams_.y[i]};
+        };
+        note(lane, LargeTriangle<Keep>({corner(v[0]), corner(v[1]), corner(v[2])}, prepared_, lane,
+                                       attributes_, keep_, own_[lane], band_)
+                       .draw());
+    }
+    void note(int lane, PixelCounts pixels) {
+        band_.touch(prepared_.x_begin[lane], prepared_.x_end[lane]);
+        band_.counts() += pixels;
+    }
+
+    const PolygonStreams& streams_;
+    AttributePreparer preparer_;
+    Keep keep_;
+    VisibleBand& band_;
+    Walker& walker_;
+    WaitingPixels<Keep> waiting_;
+    PreparedTriangles prepared_;
+    PreparedAttributes<Keep::attributes> attributes_;
+    std::int32_t own_[lane_count];
+    std::int32_t walked_ = 0;  // the own number of the polygon that is being walked
+};
+
+}  // namespace scanlight::raster::HWY_NAMESPACE
