@@ -84,9 +84,7 @@ public:
     std::ptrdiff_t stride() const { return stride_; }
 
     /// The row's first pixel.
-    PixelPlace row(int y) {
-        return {memory_.data() + stride_ * (y - rows_.y_begin), plane_};
-    }
+    PixelPlace row(int y) { return {memory_.data() + stride_ * (y - rows_.y_begin), plane_}; }
     Depth* depth_row(int y) { return row(y).depth; }
     std::int32_t* kept_row(int number, int y) { return row(y).kept(number); }
 

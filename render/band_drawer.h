@@ -32,9 +32,7 @@ public:
     void draw(const Picture& picture, int width, raster::Rows rows, int number);
 
     void add_to(DrawCounts& counts) const;
-    std::size_t bytes() const {
-        return band_.bytes() + row_.bytes() + raster::bytes_held(items_);
-    }
+    std::size_t bytes() const { return band_.bytes() + row_.bytes() + raster::bytes_held(items_); }
 
 private:
     void draw_lit(const Picture& picture, int number);

@@ -156,8 +156,7 @@ private:
     void draw_bands() {
         for (BandDrawer& band : memory_.bands)
             band.begin();
-        const BandDrawer::Picture picture{memory_.path, memory_.passes, settings_, target_,
-                                          depth_};
+        const BandDrawer::Picture picture{memory_.path, memory_.passes, settings_, target_, depth_};
         memory_.workers.for_each(
             static_cast<std::size_t>(bands_.count()), [&](int worker, std::size_t i) {
                 const int number = static_cast<int>(i);

@@ -83,7 +83,8 @@ public:
     /// The first lane is pixel (x, y), each one on the right a pixel further.
     PlaneValues(const PreparedAttributes<N>& planes, int lane, int x, int y) {
         for (int k = 0; k < N; ++k) {
-            value_[k] = Ints(attribute_at(planes, k, lane, x, y)) + iota() * Ints(planes.dx[k][lane]);
+            value_[k] =
+                Ints(attribute_at(planes, k, lane, x, y)) + iota() * Ints(planes.dx[k][lane]);
             step_[k] = Ints(0);
         }
     }

@@ -84,8 +84,8 @@ private:
     }
 
     void draw_tiny(int lane) {
-        note(lane, HWY_NAMESPACE::draw_tiny(prepared_, lane, attributes_, own_[lane], band_,
-                                            waiting_));
+        note(lane,
+             HWY_NAMESPACE::draw_tiny(prepared_, lane, attributes_, own_[lane], band_, waiting_));
     }
     void draw_small(int lane) {
         note(lane,

@@ -10,8 +10,8 @@ namespace scanlight::raster::HWY_NAMESPACE {
 //
 //     static constexpr int attributes;  // how many are interpolated for it
 //     static constexpr int numbers;     // how many are kept
-//     Ints own(Ints item) const;        // of each polygon, a number of its own: a lane is a polygon
-//     Kept<numbers> of(Ints own, const Ints* attributes) const;  // a lane is a pixel
+//     Ints own(Ints item) const;        // of each polygon, a number of its own: a lane is a
+//     polygon Kept<numbers> of(Ints own, const Ints* attributes) const;  // a lane is a pixel
 
 template <int count>
 struct Kept {

@@ -54,8 +54,7 @@ private:
         values.step_down(attributes_, lane_);
         PixelPlace at = band_.row(y_begin_) + x;
         for (int y = y_begin_; y < y_end_; ++y) {
-            const Mask covered =
-                Ints(-1) < (edges[0].value | edges[1].value | edges[2].value);
+            const Mask covered = Ints(-1) < (edges[0].value | edges[1].value | edges[2].value);
             const int pixels = count(covered);
             if (pixels > 0) {
                 const int passed = store_nearer(covered, z.get(), keep_, Ints(own_), values, at);

@@ -78,8 +78,8 @@ std::size_t draw_span(PixelPlace row, int x_begin, int x_end, RampLanes z, Value
     std::size_t passed = 0;
     int x = x_begin;
     for (; x + lane_count <= x_end; x += lane_count, z.step(), values.step()) {
-        passed += static_cast<std::size_t>(
-            store_nearer(whole, z.get(), keep, own, values, row + x));
+        passed +=
+            static_cast<std::size_t>(store_nearer(whole, z.get(), keep, own, values, row + x));
     }
     if (x < x_end) {
         passed += static_cast<std::size_t>(

@@ -19,8 +19,7 @@ public:
         place_[count_] = place;
         own_[count_] = own;
         for (int k = 0; k < Keep::attributes; ++k)
-            values_[k][count_] =
-                PlaneValues<Keep::attributes>::attribute_at(planes, k, lane, x, y);
+            values_[k][count_] = PlaneValues<Keep::attributes>::attribute_at(planes, k, lane, x, y);
         ++count_;
     }
 

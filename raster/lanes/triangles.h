@@ -93,7 +93,9 @@ inline Ints tiny_coverage(EdgeLanes (&edges)[3], Ints y_begin, Ints y_end, Mask 
     Ints pixels(0);
     for (int j = 0; any(Ints(j) < height); ++j) {
         const Ints y = y_begin + Ints(j);
-        const Mask in_band = tiny & (Ints(rows.y_begin - 1) < y) & (y < Ints(rows.y_end));
+        // A level bottom edge takes its pixels in: only the box leaves them out.
+        const Mask in_box = Ints(j) < height;
+        const Mask in_band = in_box & (Ints(rows.y_begin - 1) < y) & (y < Ints(rows.y_end));
         Ints e[3] = {edges[0].value, edges[1].value, edges[2].value};
         for (int i = 0; i < tiny_columns; ++i) {
             const Mask covered = in_band & (Ints(-1) < (e[0] | e[1] | e[2]));

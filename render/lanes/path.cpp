@@ -95,7 +95,7 @@ std::size_t light_band(const ObjectPass& pass, raster::VisibleBand& band, Vector
 }  // namespace
 
 extern const LanePath lane_path;
-const LanePath lane_path{&raster::HWY_NAMESPACE::lane_path, place_vertices, light_vertices,
-                         see, store_band, light_band};
+const LanePath lane_path{
+    &raster::HWY_NAMESPACE::lane_path, place_vertices, light_vertices, see, store_band, light_band};
 
 }  // namespace scanlight::render::HWY_NAMESPACE

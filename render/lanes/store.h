@@ -48,7 +48,8 @@ SCANLIGHT_FLATTEN std::size_t store_columns(const VectorStreams& row, const std:
     std::size_t pixels = 0;
     for (int x = columns.begin; x < columns.end; x += lane_count) {
         const int room = columns.end - x;
-        const Mask shown = first_lanes(std::min(room, lane_count)) & (load(items + x) != Ints(raster::no_item));
+        const Mask shown =
+            first_lanes(std::min(room, lane_count)) & (load(items + x) != Ints(raster::no_item));
         const Ints packed = pack_lanes<encoding>(load(row.x.data() + x), load(row.y.data() + x),
                                                  load(row.z.data() + x));
         const Ints other = background == Background::drawn ? nothing : kept(out + x, room);
@@ -70,9 +71,9 @@ std::size_t store_packed(const VectorStreams& row, raster::VisibleBand& band, in
                          const PackedTarget& target, Background background) {
     const raster::Columns columns = band.touched();
     if (background == Background::drawn) store_background(columns, target, y);
-    return store_columns<encoding>(
-        row, band.kept_row(0, y), columns, target,
-        reinterpret_cast<std::int32_t*>(target.plane->row(y).data()), background);
+    return store_columns<encoding>(row, band.kept_row(0, y), columns, target,
+                                   reinterpret_cast<std::int32_t*>(target.plane->row(y).data()),
+                                   background);
 }
 
 /// Pixels that are kept ready.

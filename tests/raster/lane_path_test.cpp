@@ -6,6 +6,7 @@
 #include <set>
 #include <string_view>
 
+#include "raster/fill.h"
 #include "raster/fragments.h"
 #include "tests/raster/random_streams.h"
 
@@ -32,9 +33,10 @@ TEST(LanePaths, AreOfDifferentNamesAndTheWidestComesFirst) {
 /// One row as `VisibleBand` holds it.
 struct Row {
     std::vector<Depth> depth;
-    std::vector<Item> items;
+    std::vector<std::int32_t> items;
 
     bool operator==(const Row&) const = default;
+    int width() const { return static_cast<int>(depth.size()) - VisibleBand::overrun; }
 };
 
 std::int32_t any_int(Random& random) {
@@ -56,13 +58,13 @@ Row random_row(Random& random, int width) {
     return row;
 }
 
-constexpr Item drawn = 123456;
+constexpr std::int32_t drawn = 1001;  // a face whose number no row has
 
 /// By the scanline walk, which has no use for the overrun.
 std::size_t walk_span(Row& row, int x_begin, int x_end, const Ramp& ramp) {
-    const auto width = static_cast<int>(row.depth.size()) - VisibleBand::overrun;
+    const int width = row.width();
     Plane<Depth> depth({width, 1}, 0);
-    Plane<Item> items({width, 1}, 0);
+    Plane<std::int32_t> items({width, 1}, 0);
     std::copy_n(row.depth.begin(), width, depth.row(0).begin());
     std::copy_n(row.items.begin(), width, items.row(0).begin());
     const auto shade = [](const Fragment<0>&) { return drawn; };
@@ -73,8 +75,35 @@ std::size_t walk_span(Row& row, int x_begin, int x_end, const Ramp& ramp) {
     return passed;
 }
 
+/// Any polygon's only span.
+struct OneSpan : Walker {
+    int x_begin, x_end;
+    Ramp depth;
+
+    OneSpan(int begin, int end, const Ramp& ramp) : x_begin(begin), x_end(end), depth(ramp) {}
+    void draw(FaceItem, SpanPainter& spans) override {
+        spans.draw_span(0, x_begin, x_end, depth, nullptr);
+    }
+};
+
 std::size_t fast_span(const LanePath& path, Row& row, int x_begin, int x_end, const Ramp& ramp) {
-    return path.draw_span(row.depth.data(), row.items.data(), x_begin, x_end, ramp, drawn);
+    const std::vector<std::int32_t> zeros(3);
+    const std::vector<std::uint32_t> corners{0, 1, 2};
+    const std::vector<std::uint32_t> begins(static_cast<std::size_t>(drawn) + 2);
+    const PolygonStreams streams{zeros, zeros, zeros, zeros, corners, begins};
+    VisibleBand band;
+    band.clear(row.width(), {0, 1}, 1);
+    std::ranges::copy(row.depth, band.depth_row(0));
+    std::ranges::copy(row.items, band.kept_row(0, 0));
+    OneSpan walker(x_begin, x_end, ramp);
+    const FaceItem item = drawn | walk_flag;
+    path.draw_items(streams, {&item, 1}, band, walker);
+    std::copy_n(band.depth_row(0), row.depth.size(), row.depth.begin());
+    std::copy_n(band.kept_row(0, 0), row.items.size(), row.items.begin());
+    for (std::int32_t& number : row.items)
+        number = number == static_cast<std::int32_t>(item) ? drawn : number;
+    EXPECT_EQ(band.counts().tested, static_cast<std::size_t>(x_end - x_begin));
+    return band.counts().passed;
 }
 
 TEST(LanePathSpan, IsThatOfTheWalkForEveryStartAndLength) {
@@ -113,7 +142,7 @@ TEST(LanePathSpan, CountsModulo64Bits) {
         for (const LanePath* path : lane_paths()) {
             Row row{
                 std::vector<Depth>(70 + VisibleBand::overrun, std::numeric_limits<Depth>::max()),
-                std::vector<Item>(70 + VisibleBand::overrun, no_item)};
+                std::vector<std::int32_t>(70 + VisibleBand::overrun, no_item)};
             fast_span(*path, row, 0, x_end, ramp);
             for (int x = 0; x < x_end; ++x) {
                 ASSERT_EQ(row.depth[static_cast<std::size_t>(x)], wrapped(ramp, x))
@@ -136,6 +165,76 @@ TEST(LanePathSpan, LosesNoCarryOverTheLongestRow) {
             Row row = before;
             EXPECT_EQ(fast_span(*path, row, 0, max_size, ramp), passed) << path->name;
             EXPECT_EQ(row, walked) << path->name;
+        }
+    }
+}
+
+// ---- polygons
+
+/// By the textbook's filler.
+struct FillWalker : Walker {
+    const PolygonStreams& streams;
+    Rows rows;
+    PolygonFiller<0> filler;
+
+    FillWalker(const PolygonStreams& polygons, Rows band) : streams(polygons), rows(band) {}
+    template <class Emit>
+    void fill(FaceItem item, Emit&& emit) {
+        std::vector<ScreenVertex<0>> corners;
+        for (const std::uint32_t v : streams.face(item & face_mask))
+            corners.push_back(streams.corner(v));
+        filler.fill(corners, Interpolation::planar, emit, NoObserver{}, rows);
+    }
+    void draw(FaceItem item, SpanPainter& spans) override {
+        fill(item, [&](const Span<0>& span) {
+            spans.draw_span(span.y, span.x_begin, span.x_end, span.ramps.depth, nullptr);
+        });
+    }
+};
+
+/// Those that lie wholly inside; each third is walked, though it need not be.
+std::vector<FaceItem> items_inside(const laws::RandomStreams& polygons) {
+    std::vector<FaceItem> items;
+    for (std::size_t face = 0; face < polygons.face_count(); ++face) {
+        const auto corners = polygons.streams().face(face);
+        const bool inside = std::ranges::all_of(
+            corners, [&](std::uint32_t v) { return polygons.streams().outside[v] == 0; });
+        const bool walked = corners.size() != 3 || face % 3 == 0;
+        if (inside) items.push_back(static_cast<FaceItem>(face) | (walked ? walk_flag : 0));
+    }
+    return items;
+}
+
+TEST(LanePathItems, CoverAndHideAsTheWalkDoes) {
+    Random random(5);
+    for (int i = 0; i < laws::cases(600); ++i) {
+        const int width = random.one_in(2) ? random.between(1, 40) : random.between(1, 300);
+        const laws::RandomStreams polygons(random, random.between(1, 60), width * subpixels);
+        const PolygonStreams streams = polygons.streams();
+        const std::vector<FaceItem> items = items_inside(polygons);
+        const int first = random.between(0, width - 1);
+        const Rows rows{first, random.between(first + 1, width)};
+        Plane<Depth> depth({width, width}, depth_clear);
+        Plane<std::int32_t> seen({width, width}, no_item);
+        FillWalker walk(streams, rows);
+        for (const FaceItem item : items) {
+            walk.fill(item, [&](const Span<0>& span) {
+                draw_span(span, depth, seen,
+                          [&](const Fragment<0>&) { return static_cast<std::int32_t>(item); });
+            });
+        }
+        for (const LanePath* path : lane_paths()) {
+            VisibleBand band;
+            band.clear(width, rows, 1);
+            FillWalker walker(streams, rows);
+            path->draw_items(streams, items, band, walker);
+            for (int y = rows.y_begin; y < rows.y_end; ++y) {
+                for (int x = 0; x < width; ++x) {
+                    ASSERT_EQ(band.depth_row(y)[x], depth.at(x, y)) << path->name << ", case " << i;
+                    ASSERT_EQ(band.kept_row(0, y)[x], seen.at(x, y))
+                        << path->name << ", case " << i;
+                }
+            }
         }
     }
 }
