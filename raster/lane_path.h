@@ -12,7 +12,7 @@ namespace scanlight::raster {
 
 /// Takes the spans of a walked polygon.
 struct SpanPainter {
-    virtual ~SpanPainter() = default;
+    virtual ~SpanPainter();
     /// Pixels [x_begin, x_end) of row y. Ramps begin at x_begin; as many of attributes as the
     /// painter interpolates.
     virtual void draw_span(int y, int x_begin, int x_end, const Ramp& depth,
@@ -21,7 +21,7 @@ struct SpanPainter {
 
 /// Draws a polygon that is no whole triangle with a plane: by the walk down its edges.
 struct Walker {
-    virtual ~Walker() = default;
+    virtual ~Walker();
     virtual void draw(FaceItem face, SpanPainter& spans) = 0;
 };
 

@@ -5,6 +5,10 @@
 
 namespace scanlight::raster {
 
+// Here, lest lanes define what all use.
+SpanPainter::~SpanPainter() = default;
+Walker::~Walker() = default;
+
 SCANLIGHT_FOR_EACH_SET(SCANLIGHT_DECLARE_LANE_PATH)
 
 namespace {

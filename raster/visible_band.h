@@ -35,7 +35,7 @@ struct Columns {
     int begin = 0;
     int end = 0;
 
-    void extend(int more_begin, int more_end) {
+    [[gnu::always_inline]] void extend(int more_begin, int more_end) {
         begin = std::min(begin, more_begin);
         end = std::max(end, more_end);
     }
@@ -89,7 +89,7 @@ public:
     std::int32_t* kept_row(int number, int y) { return row(y).kept(number); }
 
     /// Whoever draws says where.
-    void touch(int x_begin, int x_end) {
+    [[gnu::always_inline]] void touch(int x_begin, int x_end) {
         seen_.extend(x_begin, x_end);
         items_.extend(x_begin, x_end);
     }

@@ -1,48 +1,71 @@
 #include "apps/peers/bare_rows.h"
 
-#include <algorithm>
-#include <cstddef>
-
 #include "apps/peers/bare_loop.h"
 
 namespace scanlight::peers {
 
 namespace {
 
-/// Half a page from the depths, modulo a page; see `BareLayers`.
-std::size_t values_begin(int length) {
-    return (static_cast<std::size_t>(length) + raster::VisibleBand::overrun + 1023) / 1024 * 1024 +
-           512;
-}
-
 raster::Depth depth_of(int span) {
     return raster::depth_far - 4096 * (span + 1);
 }
 
+raster::Ramp ramp(std::int64_t whole, std::int64_t step) {
+    return {whole << raster::ramp_bits, step};
+}
+
+/// Stands for a polygon that covers the row many times.
+struct AllSpans : raster::Walker {
+    int length;
+
+    explicit AllSpans(int pixels) : length(pixels) {}
+    void draw(raster::FaceItem, raster::SpanPainter& painter) override {
+        constexpr std::int64_t half = 1 << 28;
+        const raster::Ramp attributes[] = {ramp(half, 1000), ramp(half, -1000), ramp(half, 500),
+                                           ramp(2 * half, 0)};
+        for (int i = 0; i < BareRows::spans; ++i)
+            painter.draw_span(0, 0, length, ramp(depth_of(i), 1000), attributes);
+    }
+};
+
+constexpr raster::FaceItem only_face = raster::walk_flag;
+
 }  // namespace
 
 BareRows::BareRows(int length)
-    : length_(length), values_begin_(values_begin(length)), memory_(2 * values_begin_ + 1024) {}
+    : length_(length), zeros_(3), corners_{0, 1, 2}, begins_{0, 3}, picture_({length, 1}, 0) {
+    settings_.shading = render::Shading::gouraud;
+    pass_.settings = &settings_;
+    pass_.polygons = {zeros_, zeros_, zeros_, zeros_, corners_, begins_};
+    pass_.attributes.count = 4;
+    clear();
+}
 
 void BareRows::clear() {
-    std::fill_n(depth(), length_, raster::depth_clear);
+    band_.clear(length_, {0, 1}, 1);
+    band_.touch(0, length_);
 }
 
 void BareRows::draw_bare() {
     clear();
     for (int i = 0; i < spans; ++i) {
-        bare_span(depth(), reinterpret_cast<raster::PackedPixel*>(values()),
+        bare_span(band_.depth_row(0), reinterpret_cast<raster::PackedPixel*>(band_.kept_row(0, 0)),
                   static_cast<std::size_t>(length_), depth_of(i),
                   static_cast<raster::PackedPixel>(i));
     }
 }
 
-void BareRows::draw_ours(const raster::LanePath& path) {
+void BareRows::draw_items(const render::LanePath& path) {
     clear();
-    for (int i = 0; i < spans; ++i) {
-        const raster::Ramp ramp{std::int64_t{depth_of(i)} << raster::ramp_bits, 1000};
-        path.draw_span(depth(), values(), 0, length_, ramp, i);
-    }
+    AllSpans walker(length_);
+    path.raster->draw_items(pass_.polygons, {&only_face, 1}, band_, walker);
+}
+
+void BareRows::draw_gouraud(const render::LanePath& path) {
+    clear();
+    AllSpans walker(length_);
+    path.see(pass_, {&only_face, 1},
+             render::PackedTarget{&picture_, raster::Encoding::linear, 0}, band_, walker);
 }
 
 }  // namespace scanlight::peers

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "raster/lane_path.h"
+#include "render/lane_path.h"
 
 namespace scanlight::peers {
 
@@ -14,21 +14,24 @@ public:
     explicit BareRows(int length);
 
     void draw_bare();
-    /// The same by Scanlight's spans, which interpolate depth and write, instead of a colour, whose
-    /// each pixel is.
-    void draw_ours(const raster::LanePath& path);
+    /// The same by Scanlight's spans, which interpolate depth; each pixel keeps whose it is.
+    void draw_items(const render::LanePath& path);
+    /// Each pixel keeps its colour, of three interpolated intensities and q.
+    void draw_gouraud(const render::LanePath& path);
     double pixels() const { return static_cast<double>(length_) * spans; }
 
-private:
     static constexpr int spans = 1024;
 
-    raster::Depth* depth() { return memory_.data(); }
-    std::int32_t* values() { return memory_.data() + values_begin_; }
+private:
     void clear();
 
     int length_;
-    std::size_t values_begin_;
-    std::vector<std::int32_t> memory_;
+    raster::VisibleBand band_;
+    std::vector<std::int32_t> zeros_;
+    std::vector<std::uint32_t> corners_, begins_;
+    raster::Plane<raster::PackedPixel> picture_;
+    render::Settings settings_;
+    render::ObjectPass pass_;
 };
 
 }  // namespace scanlight::peers

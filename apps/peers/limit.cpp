@@ -71,10 +71,11 @@ private:
 
 Group row_group(int length) {
     const auto rows = std::make_shared<BareRows>(length);
-    const raster::LanePath& path = *raster::lane_paths().front();
+    const render::LanePath& path = *render::lane_paths().front();
     return {"spans of " + std::to_string(length) + " pixels in one row, 1 thread",
             {{"bare loop", rows->pixels(), [rows] { rows->draw_bare(); }},
-             {"depth and item", rows->pixels(), [rows, &path] { rows->draw_ours(path); }}}};
+             {"depth and item", rows->pixels(), [rows, &path] { rows->draw_items(path); }},
+             {"Gouraud", rows->pixels(), [rows, &path] { rows->draw_gouraud(path); }}}};
 }
 
 std::string words_of(LayerOrder order) {
