@@ -20,22 +20,30 @@ inline Ints srgb_lanes(Floats linear) {
     return select(in_cells, value, select(linear >= one, Ints(255), Ints(0)));
 }
 
-inline Ints linear_byte_lanes(Floats intensity) {
-    const Floats low(0);
-    const Floats high(1);
-    const Floats clamped =
-        select(intensity >= low, select(intensity <= high, intensity, high), low);
-    return nearest(clamped * Floats(255.0f));
+/// The nearest of 255 equal steps in the lowest bits of a sum with 2^23, to even in a tie; the bits
+/// above are those of 2^23. A NaN is 0.
+inline Ints linear_byte_over_2_23(Floats intensity) {
+    const Floats positive = select(intensity > Floats(0), intensity, Floats(0));
+    return bits_of(min(positive, Floats(1)) * Floats(255.0f) + Floats(0x1p23f));
+}
+
+/// Bytes below a number that is the same for all pixels and cancels out.
+inline Ints packed_bytes(Ints red, Ints green, Ints blue, std::uint32_t rest) {
+    return red + shift_left<8>(green) + shift_left<16>(blue) +
+           Ints(static_cast<std::int32_t>(rest));
 }
 
 /// `packed_pixel` of opaque colours.
 template <Encoding encoding>
 Ints pack_lanes(Floats red, Floats green, Floats blue) {
-    const auto byte = [](Floats x) {
-        return encoding == Encoding::srgb ? srgb_lanes(x) : linear_byte_lanes(x);
-    };
-    return byte(red) | shift_left<8>(byte(green)) | shift_left<16>(byte(blue)) |
-           Ints(static_cast<std::int32_t>(0xff000000u));
+    constexpr std::uint32_t opaque = 0xff000000u;
+    if constexpr (encoding == Encoding::srgb) {
+        return packed_bytes(srgb_lanes(red), srgb_lanes(green), srgb_lanes(blue), opaque);
+    }
+    constexpr std::uint32_t over = 0x4b000000u;  // the bits of 2^23, in each of three bytes' places
+    return packed_bytes(linear_byte_over_2_23(red), linear_byte_over_2_23(green),
+                        linear_byte_over_2_23(blue),
+                        opaque - over - (over << 8) - (over << 16));
 }
 
 }  // namespace scanlight::raster::HWY_NAMESPACE

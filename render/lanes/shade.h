@@ -63,12 +63,13 @@ struct PixelLanes {
     Ints depth;
     Mask shown;  // somewhere
     Ints item;   // where nothing is shown, that of a pixel where something is
-    Floats attributes[raster::most_attributes];
+    Ints attributes[raster::most_attributes];
 
     Ints face() const { return item & Ints(static_cast<std::int32_t>(raster::face_mask)); }
     Mask back() const { return item < Ints(0); }
     VectorLanes vector(int first) const {
-        return {attributes[first], attributes[first + 1], attributes[first + 2]};
+        return {float_lanes(attributes[first]), float_lanes(attributes[first + 1]),
+                float_lanes(attributes[first + 2])};
     }
 };
 
@@ -142,10 +143,15 @@ private:
     const ObjectPass& pass_;
 };
 
-/// a = (a q) / q, see `undivided`.
-inline ColorLanes undivided_lanes(const ColorLanes& a_q, Floats q) {
-    const Floats smallest(1.0f / raster::attribute_one);
-    return a_q * (Floats(1) / select(q < smallest, smallest, q));
+/// Three attributes of a vector of pixels, and q behind them, times a power of two: see `undivided`.
+/// All of them are multiples of the same power of two, which cancels out without a rounding. Where
+/// there is no perspective, q is 1 and nothing is to be divided.
+inline ColorLanes undivided_lanes(const Ints* a_q, float unit) {
+    const Ints one(static_cast<std::int32_t>(raster::attribute_one));
+    const Ints q = a_q[3];
+    const Floats inverse = all(q == one) ? Floats(unit / raster::attribute_one)
+                                         : Floats(unit) / floats_of(max(q, Ints(1)));
+    return ColorLanes(floats_of(a_q[0]), floats_of(a_q[1]), floats_of(a_q[2])) * inverse;
 }
 
 /// Interpolated intensities: see `GouraudTechnique`.
@@ -156,14 +162,14 @@ public:
     explicit GouraudLanes(const ObjectPass& pass) : unit_(pass.unit) {}
 
     ColorLanes shade(const PixelLanes& pixels) const {
-        return color_of(pixels.vector(0), pixels.attributes[3]);
+        return color_of(pixels.attributes);
     }
-    ColorLanes color_of(const ColorLanes& color_q, Floats q) const {
-        return undivided_lanes(color_q, q) * unit_;
+    ColorLanes color_of(const Ints* attributes) const {
+        return undivided_lanes(attributes, unit_);
     }
 
 private:
-    Floats unit_;
+    float unit_;
 };
 
 /// Interpolated normals, lit pixel by pixel: see `PhongTechnique`.
@@ -211,7 +217,7 @@ private:
     }
 
     VectorLanes vertex_color(const PixelLanes& pixels) const {
-        return undivided_lanes(pixels.vector(3), pixels.attributes[6]);
+        return undivided_lanes(pixels.attributes + 3, 1.0f);
     }
 
     const ObjectPass& pass_;
@@ -253,8 +259,7 @@ public:
 
     Ints own(Ints) const { return Ints(0); }
     Kept<1> of(Ints, const Ints* a) const {
-        const ColorLanes color = technique_.color_of(
-            {float_lanes(a[0]), float_lanes(a[1]), float_lanes(a[2])}, float_lanes(a[3]));
+        const ColorLanes color = technique_.color_of(a);
         return {{pack_lanes<encoding>(color.x, color.y, color.z)}};
     }
 
@@ -292,7 +297,7 @@ private:
         pixels.depth = load(at.depth);
         pixels.item = all(pixels.shown) ? item : with_neighbours(item, pixels.shown);
         for (int k = 0; k < Technique::attributes; ++k)
-            pixels.attributes[k] = float_lanes(load(at.kept(k + 1)));
+            pixels.attributes[k] = load(at.kept(k + 1));
         return true;
     }
 
