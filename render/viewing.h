@@ -20,12 +20,14 @@ shading::Vec3<Real> view_from(const glm::vec4& viewpoint, const shading::Vec3<Re
     return shading::unit_or(towards_eye, shading::Vec3<Real>(Real(0), Real(0), Real(1)));
 }
 
-/// The point in world space behind a place on the screen: x and y in pixels, depth 0 to 1.
+/// The point in world space behind a place on the screen: x and y in pixels, depth 0 to 1. One
+/// division: other bits than three.
 template <class Real>
 shading::Vec3<Real> point_behind(const glm::mat4& world_from_screen,
                                  const shading::Vec3<Real>& screen) {
     const auto p = transformed_point(world_from_screen, screen);
-    return {p.x / p.w, p.y / p.w, p.z / p.w};
+    const Real inverse_w = Real(1) / p.w;
+    return {p.x * inverse_w, p.y * inverse_w, p.z * inverse_w};
 }
 
 }  // namespace scanlight::render
