@@ -37,12 +37,19 @@ inline constexpr float attribute_limit = 4.0f - 0x1p-14f;
 /// Extra fraction bits that an interpolated number carries while it is stepped.
 inline constexpr int ramp_bits = 16;
 
-constexpr std::int64_t floor_div(std::int64_t a, std::int64_t b) {  // b > 0
-    return a / b - (a % b < 0 ? 1 : 0);
-}
+/// A quotient rounded down, and what remains: in [0, divisor).
+struct Quotient {
+    std::int32_t whole;
+    std::int32_t remainder;
+};
 
-constexpr std::int64_t ceil_div(std::int64_t a, std::int64_t b) {
-    return -floor_div(-a, b);
+/// Requires b > 0, and a quotient that fits.
+template <class T>
+constexpr Quotient floor_divided(T a, std::int32_t b) {
+    const auto whole = static_cast<std::int32_t>(a / b);
+    const auto remainder = static_cast<std::int32_t>(a % b);
+    const std::int32_t below = remainder >> 31;  // -1 or 0
+    return {whole + below, remainder + (b & below)};
 }
 
 /// The first row (or column) whose centre is at or after `coordinate`.

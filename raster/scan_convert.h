@@ -21,9 +21,10 @@ struct NoObserver {
 
 /// The scanline algorithm of Wylie, Romney, Evans & Erdahl 1967, "Half-tone perspective drawings
 /// by computer", with an edge table and an active edge table: goes down the screen, keeps the
-/// edges that cross the scanline from left to right, and emits the spans between each pair.
+/// edges that cross the scanline from left to right, and emits the spans between each pair. The
+/// table's edges are stepped on the way: it serves for one walk.
 template <int N, class Interpolation, class Emit, class Observer>
-void scan_convert(const EdgeTable<typename Interpolation::EdgeValues>& table,
+void scan_convert(EdgeTable<typename Interpolation::EdgeValues>& table,
                   ActiveEdges<typename Interpolation::EdgeValues>& active,
                   const Interpolation& interpolation, Emit&& emit, Observer&& observer) {
     active.clear();

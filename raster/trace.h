@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "raster/edge_ramps.h"
 #include "raster/scan_convert.h"
 
 namespace scanlight::raster {
@@ -41,15 +42,14 @@ class Tracer {
 public:
     explicit Tracer(Trace& trace, std::size_t shown = N) : trace_(trace), shown_(shown) {}
 
-    void edge_table(const EdgeTable<Ramps<N>>& table) {
+    void edge_table(const EdgeTable<EdgeRamps<N>>& table) {
         for (const auto& edge : table.edges())
             trace_.edge_table.push_back(noted(edge));
     }
-    void scanline(int y, const ActiveEdges<Ramps<N>>& active) {
+    void scanline(int y, const ActiveEdges<EdgeRamps<N>>& active) {
         trace_.scanlines.push_back({y, {}, {}});
-        for (const auto& edge : active.edges()) {
-            trace_.scanlines.back().active.push_back(noted(edge));
-        }
+        for (const auto* edge : active.edges())
+            trace_.scanlines.back().active.push_back(noted(*edge));
     }
     void span(const raster::Span<N>& span) {
         trace_.scanlines.back().spans.push_back({noted(span.ramps), span.x_begin, span.x_end});
@@ -79,7 +79,16 @@ private:
         return note;
     }
 
-    Trace::Edge noted(const raster::Edge<Ramps<N>>& edge) const {
+    Trace::Numbers noted(const EdgeRamps<N>& ramps) const {
+        Trace::Numbers note{ramps.depth / depth_one, ramps.depth_step / depth_one, {}, {}};
+        for (std::size_t k = 0; k < shown_; ++k) {
+            note.values.push_back(ramps.attributes[k] / value_one);
+            note.steps.push_back(ramps.attribute_steps[k] / value_one);
+        }
+        return note;
+    }
+
+    Trace::Edge noted(const raster::Edge<EdgeRamps<N>>& edge) const {
         return {noted(edge.values), edge.index,        edge.y_begin,
                 edge.y_end,         edge.crossing.x(), edge.crossing.dx()};
     }

@@ -104,7 +104,7 @@ TEST(EdgeTable, CrossesEachScanlineAnEvenNumberOfTimes) {
 
 TEST(ActiveEdges, AdmitsABucketSortsItAndRetiresWhatEnds) {
     // An M: the valley between its tops starts two edges in one point.
-    const auto table = table_of(in_pixels({{0, 8}, {2, 0}, {4, 4}, {6, 0}, {8, 8}}));
+    auto table = table_of(in_pixels({{0, 8}, {2, 0}, {4, 4}, {6, 0}, {8, 8}}));
     ActiveEdges<Mark> active;
     auto waiting = active.admit(table.edges(), 0);
     active.sort_by_x();
@@ -112,18 +112,18 @@ TEST(ActiveEdges, AdmitsABucketSortsItAndRetiresWhatEnds) {
     EXPECT_TRUE(waiting.empty());
     const std::vector<std::uint32_t> order{0, 1, 2, 3};
     for (std::size_t i = 0; i < 4; ++i)
-        EXPECT_EQ(active.edges()[i].index, order[i]);
+        EXPECT_EQ(active.edges()[i]->index, order[i]);
 
     active.retire_before(4);
     active.step();
     ASSERT_EQ(active.edges().size(), 2u);
-    EXPECT_EQ(active.edges()[0].index, 0u);
-    EXPECT_EQ(active.edges()[1].index, 3u);
-    EXPECT_EQ(active.edges()[1].values.steps, 1);
+    EXPECT_EQ(active.edges()[0]->index, 0u);
+    EXPECT_EQ(active.edges()[1]->index, 3u);
+    EXPECT_EQ(active.edges()[1]->values.steps, 1);
 }
 
 TEST(ActiveEdges, LeavesTheBucketsOfLaterScanlinesWaiting) {
-    const auto table = table_of(in_pixels({{4, 0}, {0, 4}, {0, 10}, {8, 10}, {8, 4}}));
+    auto table = table_of(in_pixels({{4, 0}, {0, 4}, {0, 10}, {8, 10}, {8, 4}}));
     ActiveEdges<Mark> active;
     auto waiting = active.admit(table.edges(), 0);
     EXPECT_EQ(waiting.size(), 2u);
@@ -134,7 +134,7 @@ TEST(ActiveEdges, LeavesTheBucketsOfLaterScanlinesWaiting) {
 }
 
 TEST(ActiveEdges, PairsThatEncloseNoCentreAreNoSpans) {
-    const auto table = table_of({{130, 0}, {140, 1000}, {380, 1000}});  // thin, between two columns
+    auto table = table_of({{130, 0}, {140, 1000}, {380, 1000}});  // thin, between two columns
     ActiveEdges<Mark> active;
     active.admit(table.edges(), 0);
     active.sort_by_x();

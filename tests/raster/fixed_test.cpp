@@ -13,13 +13,16 @@ namespace {
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-TEST(Fixed, DivisionRoundsDownAndUpOnBothSidesOfZero) {
-    EXPECT_EQ(floor_div(7, 2), 3);
-    EXPECT_EQ(floor_div(-7, 2), -4);
-    EXPECT_EQ(floor_div(-8, 2), -4);
-    EXPECT_EQ(ceil_div(7, 2), 4);
-    EXPECT_EQ(ceil_div(-7, 2), -3);
-    EXPECT_EQ(ceil_div(8, 2), 4);
+TEST(Fixed, DivisionRoundsDownOnBothSidesOfZero) {
+    const auto expect_quotient = [](const Quotient& q, int whole, int remainder) {
+        EXPECT_EQ(q.whole, whole);
+        EXPECT_EQ(q.remainder, remainder);
+    };
+    expect_quotient(floor_divided(7, 2), 3, 1);
+    expect_quotient(floor_divided(-7, 2), -4, 1);
+    expect_quotient(floor_divided(-8, 2), -4, 0);
+    expect_quotient(floor_divided(std::int64_t{-1} << 40, 1 << 30), -1024, 0);
+    expect_quotient(floor_divided((std::int64_t{-1} << 40) - 1, 1 << 30), -1025, (1 << 30) - 1);
 }
 
 TEST(Fixed, FirstCentreIncludesACentreAndExcludesAllBeforeIt) {

@@ -38,6 +38,12 @@ Points points_of(const std::vector<ScreenVertex<N>>& polygon) {
     return points;
 }
 
+inline SubPixel top_of(const Points& points) {
+    return std::min_element(points.begin(), points.end(),
+                            [](ScreenPoint a, ScreenPoint b) { return a.y < b.y; })
+        ->y;
+}
+
 /// A ramp's number in units of its format, with its fraction.
 inline double units(std::int64_t ramp_value) {
     return static_cast<double>(ramp_value) / (1 << ramp_bits);
