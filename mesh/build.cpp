@@ -1,5 +1,7 @@
 #include "mesh/build.h"
 
+#include <utility>
+
 #include "mesh/flatten.h"
 #include "mesh/half_edge.h"
 
@@ -22,12 +24,25 @@ BuildReport report_on(const PolygonSoup& soup, const HalfEdgeMesh& mesh) {
     };
 }
 
+/// What is left of the half-edge mesh when its memory is given back.
+struct Smoothed {
+    Polygons polygons;
+    Normals normals;
+    BuildReport report;
+};
+
+Smoothed smoothed(const PolygonSoup& soup, const NormalRule& rule) {
+    HalfEdgeMesh mesh = half_edge_mesh(soup);
+    const BuildReport report = report_on(soup, mesh);
+    Normals normals{corner_normals(soup, mesh, rule), face_normals(mesh)};
+    return {std::move(mesh.polygons), std::move(normals), report};
+}
+
 }  // namespace
 
 BuiltMesh build(const PolygonSoup& soup, const NormalRule& rule) {
-    const HalfEdgeMesh mesh = half_edge_mesh(soup);
-    const std::vector<glm::vec3> normals = corner_normals(soup, mesh, rule);
-    return {flatten(soup, mesh.polygons, normals), report_on(soup, mesh)};
+    Smoothed surface = smoothed(soup, rule);
+    return {flatten(soup, std::move(surface.polygons), std::move(surface.normals)), surface.report};
 }
 
 }  // namespace scanlight::mesh

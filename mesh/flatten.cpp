@@ -12,16 +12,15 @@ namespace {
 
 class Flattener {
 public:
-    Flattener(const PolygonSoup& soup, const Polygons& polygons,
-              const std::vector<glm::vec3>& normals)
-        : soup_(soup), polygons_(polygons), normals_(normals) {}
+    Flattener(const PolygonSoup& soup, Polygons polygons, Normals normals)
+        : soup_(soup), polygons_(std::move(polygons)), normals_(std::move(normals)) {}
 
     Mesh run() && {
         copy_materials();
         note_corner_materials();
         mesh_.corners = first_equals();
         number_vertices();
-        copy_faces();
+        move_faces();
         return std::move(mesh_);
     }
 
@@ -37,7 +36,7 @@ private:
 
     /// What tells apart the vertices of one point.
     std::tuple<float, float, float, float, float, std::uint32_t> key(std::uint32_t corner) const {
-        const glm::vec3& n = normals_[corner];
+        const glm::vec3& n = normals_.corners[corner];
         const glm::vec2 t = uv(corner);
         return {n.x, n.y, n.z, t.x, t.y, material(corner)};
     }
@@ -83,7 +82,7 @@ private:
     void add_vertex(std::uint32_t corner) {
         Vertices& out = mesh_.vertices;
         const glm::vec3& p = soup_.positions[polygons_.point[corner]];
-        const glm::vec3& n = normals_[corner];
+        const glm::vec3& n = normals_.corners[corner];
         out.x.push_back(p.x), out.y.push_back(p.y), out.z.push_back(p.z);
         out.nx.push_back(n.x), out.ny.push_back(n.y), out.nz.push_back(n.z);
         if (!soup_.uvs.empty()) {
@@ -96,10 +95,10 @@ private:
         }
     }
 
-    void copy_faces() {
-        mesh_.face_begin = polygons_.begin;
-        mesh_.face_id = polygons_.soup_face;
-        mesh_.face_normals.assign(polygons_.normals.begin(), polygons_.normals.end());
+    void move_faces() {
+        mesh_.face_begin = std::move(polygons_.begin);
+        mesh_.face_id = std::move(polygons_.soup_face);
+        mesh_.face_normals = std::move(normals_.faces);
     }
 
     void copy_materials() {
@@ -123,17 +122,16 @@ private:
     }
 
     const PolygonSoup& soup_;
-    const Polygons& polygons_;
-    const std::vector<glm::vec3>& normals_;
+    Polygons polygons_;
+    Normals normals_;
     std::vector<std::uint32_t> corner_material_;  // empty: all corners have the same
     Mesh mesh_;
 };
 
 }  // namespace
 
-Mesh flatten(const PolygonSoup& soup, const Polygons& polygons,
-             const std::vector<glm::vec3>& normals) {
-    return Flattener(soup, polygons, normals).run();
+Mesh flatten(const PolygonSoup& soup, Polygons polygons, Normals normals) {
+    return Flattener(soup, std::move(polygons), std::move(normals)).run();
 }
 
 }  // namespace scanlight::mesh

@@ -1,6 +1,7 @@
 #include "mesh/half_edge.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -87,51 +88,86 @@ std::size_t count_used_points(const PolygonSoup& soup, const Polygons& polygons)
     return static_cast<std::size_t>(std::ranges::count(used, true));
 }
 
-/// Marks every face that hangs together with `start`.
-void flood(const Connectivity& surface, FaceHandle start, std::vector<bool>& seen) {
-    std::vector<FaceHandle> waiting{start};
-    seen[static_cast<std::size_t>(start.idx())] = true;
-    while (!waiting.empty()) {
-        const FaceHandle face = waiting.back();
-        waiting.pop_back();
-        for (auto it = surface.cff_iter(face); it.is_valid(); ++it) {
-            const auto neighbour = static_cast<std::size_t>(it->idx());
-            if (seen[neighbour]) continue;
-            seen[neighbour] = true;
-            waiting.push_back(*it);
-        }
-    }
+/// What half-edges cannot hold is split: the vertices that are left, and why.
+struct Splitting {
+    Fans fans;
+    std::size_t left_over_faces;
+};
+
+Splitting split(const PolygonSoup& soup, const Polygons& polygons) {
+    EdgePairs pairs = pair_edges(soup, polygons);
+    Fans fans = separate_double_edges(polygons, pairs, find_fans(polygons, pairs));
+    return {std::move(fans), static_cast<std::size_t>(std::ranges::count(pairs.left_over, true))};
 }
+
+/// Sets of faces that grow together, each a tree. Tarjan 1975, with halved paths.
+class FaceSets {
+public:
+    explicit FaceSets(std::size_t faces) : parent_(faces), count_(faces) {
+        std::iota(parent_.begin(), parent_.end(), 0u);
+    }
+
+    void join(FaceHandle a, FaceHandle b) {
+        const std::uint32_t root_a = root(a);
+        const std::uint32_t root_b = root(b);
+        if (root_a == root_b) return;
+        parent_[std::max(root_a, root_b)] = std::min(root_a, root_b);
+        --count_;
+    }
+
+    std::size_t count() const { return count_; }
+
+private:
+    std::uint32_t root(FaceHandle handle) {
+        auto face = static_cast<std::uint32_t>(handle.idx());
+        while (parent_[face] != face) {
+            parent_[face] = parent_[parent_[face]];
+            face = parent_[face];
+        }
+        return face;
+    }
+
+    std::vector<std::uint32_t> parent_;
+    std::size_t count_;
+};
 
 }  // namespace
 
 HalfEdgeMesh half_edge_mesh(const PolygonSoup& soup) {
     HalfEdgeMesh mesh;
     mesh.polygons = drawable_polygons(soup);
-    EdgePairs pairs = pair_edges(soup, mesh.polygons);
-    const Fans fans = separate_double_edges(mesh.polygons, pairs, find_fans(mesh.polygons, pairs));
+    const Splitting splitting = split(soup, mesh.polygons);
+    mesh.polygons.forget_neighbours();
 
-    SurfaceBuilder builder(mesh.surface, soup, mesh.polygons, fans);
+    SurfaceBuilder builder(mesh.surface, soup, mesh.polygons, splitting.fans);
     for (std::uint32_t face = 0; face < mesh.polygons.face_count(); ++face) {
         builder.add_face(face);
     }
+    mesh.polygons.forget_normals();
     const std::size_t used_points = count_used_points(soup, mesh.polygons);
     mesh.isolated_points = soup.positions.size() - used_points;
-    mesh.split_faces = static_cast<std::size_t>(std::ranges::count(pairs.left_over, true)) +
-                       builder.refused_faces();
+    mesh.split_faces = splitting.left_over_faces + builder.refused_faces();
     mesh.split_vertices = mesh.surface.n_vertices() - used_points;
     return mesh;
 }
 
+std::vector<glm::vec3> face_normals(const HalfEdgeMesh& mesh) {
+    std::vector<glm::vec3> normals;
+    normals.reserve(mesh.surface.n_faces());
+    for (const auto face : mesh.surface.faces())
+        normals.emplace_back(normal(mesh.surface, face));
+    return normals;
+}
+
 std::size_t count_components(const HalfEdgeMesh& mesh) {
-    std::vector<bool> seen(mesh.surface.n_faces(), false);
-    std::size_t components = 0;
-    for (std::size_t face = 0; face < seen.size(); ++face) {
-        if (seen[face]) continue;
-        ++components;
-        flood(mesh.surface, FaceHandle(static_cast<int>(face)), seen);
+    const Connectivity& surface = mesh.surface;
+    FaceSets sets(surface.n_faces());
+    for (const auto edge : surface.edges()) {
+        const FaceHandle a = surface.face_handle(surface.halfedge_handle(edge, 0));
+        const FaceHandle b = surface.face_handle(surface.halfedge_handle(edge, 1));
+        if (a.is_valid() && b.is_valid()) sets.join(a, b);
     }
-    return components;
+    return sets.count();
 }
 
 std::size_t count_boundary_edges(const HalfEdgeMesh& mesh) {

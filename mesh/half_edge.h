@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <glm/vec3.hpp>
@@ -29,8 +30,9 @@ struct HalfEdgeTraits : OpenMesh::DefaultTraits {
 
 using Connectivity = OpenMesh::PolyMesh_ArrayKernelT<HalfEdgeTraits>;
 
-/// Invariant: face f of `surface` is face f of `polygons`, with its normal, and the half-edge that
-/// leaves a corner knows it. Every vertex of `surface` is one fan.
+/// Invariant: face f of `surface` is face f of `polygons`, and the half-edge that leaves a corner
+/// knows it. Every vertex of `surface` is one fan. Neighbours and normals are those of `surface`;
+/// `polygons` has forgotten them.
 struct HalfEdgeMesh {
     Connectivity surface;
     Polygons polygons;
@@ -41,6 +43,9 @@ struct HalfEdgeMesh {
 
 /// The drawable faces of a soup as a half-edge mesh, split where it could not hold them.
 HalfEdgeMesh half_edge_mesh(const PolygonSoup& soup);
+
+/// One unit normal a face.
+std::vector<glm::vec3> face_normals(const HalfEdgeMesh& mesh);
 
 /// Pieces that hang together over edges.
 std::size_t count_components(const HalfEdgeMesh& mesh);

@@ -18,13 +18,13 @@ namespace scanlight::mesh {
 struct Polygons {
     std::vector<std::uint32_t> point;        // one a corner, into the soup's positions
     std::vector<std::uint32_t> soup_corner;  // one a corner, into the soup's corners
-    std::vector<std::uint32_t> face_of;      // one a corner
-    std::vector<bool> alone;  // one a corner: its face came by this point before, so that it must
-                              // have a vertex of its own
+    std::vector<std::uint32_t> face_of;      // one a corner, until forget_neighbours()
+    std::vector<bool> alone;  // one a corner, until forget_neighbours(): its face came by this
+                              // point before, so that it must have a vertex of its own
 
     std::vector<std::uint32_t> begin{0};   // faces + 1 of them, into the corners
     std::vector<std::uint32_t> soup_face;  // one a face
-    std::vector<glm::dvec3> normals;       // one a face, unit
+    std::vector<glm::dvec3> normals;       // one a face, unit, until forget_normals()
 
     std::size_t zero_area = 0;    // faces left out: nothing to fill
     std::size_t few_corners = 0;  // faces left out: fewer than 3 distinct points
@@ -40,6 +40,14 @@ struct Polygons {
         const std::uint32_t face = face_of[corner];
         return corner == begin[face] ? begin[face + 1] - 1 : corner - 1;
     }
+
+    /// Gives back the memory of what no one asks any more, next() and previous() with it. Of a
+    /// large mesh the one is as much as its points, the other twice as much.
+    void forget_neighbours() {
+        face_of = std::vector<std::uint32_t>();
+        alone = std::vector<bool>();
+    }
+    void forget_normals() { normals = std::vector<glm::dvec3>(); }
 };
 
 /// Leaves out repeated neighbours of corners, then the faces that cannot be drawn, and counts them.
