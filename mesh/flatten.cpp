@@ -26,7 +26,7 @@ public:
 
 private:
     glm::vec2 uv(std::uint32_t corner) const {
-        const std::uint32_t index = soup_.corners[polygons_.soup_corner[corner]].uv;
+        const std::uint32_t index = soup_.corners[polygons_.soup_corner(corner)].uv;
         return index == PolygonSoup::none ? glm::vec2(0.0f) : soup_.uvs[index];
     }
 

@@ -186,8 +186,8 @@ private:
 
 void take_from_file(const PolygonSoup& soup, const Polygons& polygons,
                     std::vector<glm::vec3>& normals) {
-    for (std::size_t i = 0; i < normals.size(); ++i) {
-        const std::uint32_t given = soup.corners[polygons.soup_corner[i]].normal;
+    for (std::uint32_t i = 0; i < normals.size(); ++i) {
+        const std::uint32_t given = soup.corners[polygons.soup_corner(i)].normal;
         if (given == PolygonSoup::none) continue;
         const glm::dvec3 unit = unit_or_zero(soup.normals[given]);
         if (unit != glm::dvec3(0.0)) normals[i] = unit;

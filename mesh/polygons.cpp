@@ -15,7 +15,6 @@ class Collector {
 public:
     explicit Collector(const PolygonSoup& soup) : soup_(soup) {
         polygons_.point.reserve(soup.corners.size());
-        polygons_.soup_corner.reserve(soup.corners.size());
         polygons_.face_of.reserve(soup.corners.size());
         polygons_.alone.reserve(soup.corners.size());
         polygons_.begin.reserve(soup.face_count() + 1);
@@ -81,14 +80,27 @@ private:
     void append(std::uint32_t face, const glm::dvec3& normal) {
         const auto drawn_face = static_cast<std::uint32_t>(polygons_.face_count());
         for (std::size_t i = 0; i < corners_.size(); ++i) {
+            note_soup_corner(corners_[i]);
             polygons_.point.push_back(point(corners_[i]));
-            polygons_.soup_corner.push_back(corners_[i]);
             polygons_.face_of.push_back(drawn_face);
             polygons_.alone.push_back(repeats_[i]);
         }
         polygons_.begin.push_back(static_cast<std::uint32_t>(polygons_.point.size()));
         polygons_.soup_face.push_back(face);
         polygons_.normals.push_back(normal);
+    }
+
+    /// As long as none is left out, corners have the numbers that they had.
+    void note_soup_corner(std::uint32_t soup_corner) {
+        std::vector<std::uint32_t>& list = polygons_.soup_corners;
+        const std::size_t corner = polygons_.corner_count();
+        if (list.empty() && soup_corner == corner) return;
+        if (list.empty()) {
+            list.reserve(soup_.corners.size());
+            list.resize(corner);
+            std::iota(list.begin(), list.end(), 0u);
+        }
+        list.push_back(soup_corner);
     }
 
     const PolygonSoup& soup_;

@@ -16,9 +16,9 @@ namespace scanlight::mesh {
 ///
 /// A corner also names the half-edge that leaves it for the next corner of its face.
 struct Polygons {
-    std::vector<std::uint32_t> point;        // one a corner, into the soup's positions
-    std::vector<std::uint32_t> soup_corner;  // one a corner, into the soup's corners
-    std::vector<std::uint32_t> face_of;      // one a corner, until forget_neighbours()
+    std::vector<std::uint32_t> point;         // one a corner, into the soup's positions
+    std::vector<std::uint32_t> soup_corners;  // one a corner; empty if none was left out
+    std::vector<std::uint32_t> face_of;       // one a corner, until forget_neighbours()
     std::vector<bool> alone;  // one a corner, until forget_neighbours(): its face came by this
                               // point before, so that it must have a vertex of its own
 
@@ -31,6 +31,11 @@ struct Polygons {
 
     std::size_t face_count() const { return begin.size() - 1; }
     std::size_t corner_count() const { return point.size(); }
+
+    /// Which of the soup's corners this one is.
+    std::uint32_t soup_corner(std::uint32_t corner) const {
+        return soup_corners.empty() ? corner : soup_corners[corner];
+    }
 
     std::uint32_t next(std::uint32_t corner) const {
         const std::uint32_t face = face_of[corner];

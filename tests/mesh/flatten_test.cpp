@@ -61,6 +61,25 @@ TEST(Flatten, IdsAndMaterialsFollowTheirFacesPastDroppedOnes) {
     EXPECT_EQ(mesh.materials[2].name, "second");
 }
 
+TEST(Flatten, UvsAndNormalsFollowTheirCornersPastDroppedOnes) {
+    // A face that goes by a point twice in a row, one without area, and one behind both.
+    PolygonSoup soup = soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                               {{0, 1, 2}, {0, 1, 1, 3}, {0, 0, 1}, {0, 3, 2}});
+    soup.normals = {{0, 0, 1}, {0, 1, 0}};
+    for (std::uint32_t c = 0; c < soup.corners.size(); ++c) {
+        soup.uvs.emplace_back(static_cast<float>(c), 0.5f);
+        soup.corners[c].uv = c;
+        soup.corners[c].normal = c < 10 ? 0 : 1;
+    }
+    const Mesh mesh = build(soup, {.weight = NormalWeight::file}).mesh;
+    std::vector<float> u;
+    for (const std::uint32_t corner : mesh.corners)
+        u.push_back(mesh.vertices.u[corner]);
+    EXPECT_EQ(u, (std::vector<float>{0, 1, 2, 3, 4, 6, 10, 11, 12}));
+    EXPECT_EQ(mesh.vertices.normal(mesh.corners[5]), soup.normals[0]);
+    EXPECT_EQ(mesh.vertices.normal(mesh.corners[6]), soup.normals[1]);
+}
+
 TEST(Flatten, FacesOfTwoMaterialsShareNoVertex) {
     PolygonSoup soup = kite();
     soup.materials.resize(2);
