@@ -24,7 +24,8 @@ class Crossing {
 public:
     Crossing() = default;
     /// From the upper to the lower end, on scanline `row`. Requires top.y < bottom.y.
-    Crossing(ScreenPoint top, ScreenPoint bottom, int row) : one_((bottom.y - top.y) * subpixels) {
+    [[gnu::always_inline]] Crossing(ScreenPoint top, ScreenPoint bottom, int row)
+        : one_((bottom.y - top.y) * subpixels) {
         const SubPixel dy = bottom.y - top.y;
         const SubPixel dx = bottom.x - top.x;
         assert(dy > 0 && "horizontal edges have no crossing");
