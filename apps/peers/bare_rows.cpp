@@ -64,8 +64,8 @@ void BareRows::draw_items(const render::LanePath& path) {
 void BareRows::draw_gouraud(const render::LanePath& path) {
     clear();
     AllSpans walker(length_);
-    path.see(pass_, {&only_face, 1},
-             render::PackedTarget{&picture_, raster::Encoding::linear, 0}, band_, walker);
+    path.see(pass_, {&only_face, 1}, render::PackedTarget{&picture_, raster::Encoding::linear, 0},
+             band_, walker);
 }
 
 }  // namespace scanlight::peers
