@@ -8,12 +8,12 @@
 #include <string_view>
 #include <system_error>
 
+#include "raster/decode_png.h"
 #include "raster/file_descriptor.h"
 #include "raster/hdr.h"
 #include "raster/image_error.h"
 #include "raster/image_limits.h"
 #include "raster/pfm.h"
-#include "raster/png.h"
 #include "raster/pnm.h"
 
 namespace scanlight::raster {

@@ -5,11 +5,11 @@
 #include <cassert>
 #include <string_view>
 
+#include "raster/encode_png.h"
 #include "raster/encoded_image.h"
 #include "raster/hdr.h"
 #include "raster/image_error.h"
 #include "raster/pfm.h"
-#include "raster/png.h"
 #include "raster/pnm.h"
 #include "raster/save_file.h"
 

@@ -1,8 +1,9 @@
-#include "raster/png.h"
+#include "raster/decode_png.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include "raster/encode_png.h"
 #include "tests/raster/bad_bytes.h"
 #include "tests/raster/handmade_png.h"
 #include "tests/raster/random_image.h"

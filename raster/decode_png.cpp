@@ -1,4 +1,4 @@
-#include "raster/png.h"
+#include "raster/decode_png.h"
 
 #include <png.h>
 
@@ -7,7 +7,6 @@
 #include <bit>
 #include <csetjmp>
 #include <cstddef>
-#include <new>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +19,7 @@ namespace scanlight::raster {
 namespace {
 
 // libpng leaves by longjmp when something is wrong. Nothing that has a destructor may live in the
-// functions it jumps out of: they work on what a Coder and its user own.
+// functions it jumps out of: they work on what a Reader and its user own.
 
 // What went wrong, kept where a jump can't hurt it.
 using Reason = std::array<char, 128>;
@@ -43,10 +42,14 @@ bool completes(png_structp png, const Steps& steps) {
 }
 
 // libpng's state for one picture. Null pointers mean that there was no memory for it.
-struct Coder {
-    Coder() = default;
-    Coder(const Coder&) = delete;
-    Coder& operator=(const Coder&) = delete;
+struct Reader {
+    Reader() {
+        png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reason, jump_out, ignore_warning);
+        if (png != nullptr) info = png_create_info_struct(png);
+    }
+    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
 
     template <class Steps>
     void run(const std::string& name, const Steps& steps) {
@@ -60,25 +63,6 @@ struct Coder {
     png_infop info = nullptr;
 };
 
-struct Writer : Coder {
-    Writer() {
-        png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &reason, jump_out, ignore_warning);
-        if (png != nullptr) info = png_create_info_struct(png);
-    }
-    ~Writer() { png_destroy_write_struct(&png, &info); }
-};
-
-struct Reader : Coder {
-    Reader() {
-        png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reason, jump_out, ignore_warning);
-        if (png != nullptr) info = png_create_info_struct(png);
-    }
-    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
-};
-
-template <class Sample>
-constexpr int bits = 8 * sizeof(Sample);
-
 // PNG is big endian; libpng swaps when told.
 void keep_native_order(png_structp png, int bit_depth) {
     if (bit_depth == 16 && std::endian::native == std::endian::little) png_set_swap(png);
@@ -91,62 +75,6 @@ std::vector<png_bytep> rows_of(Image<Sample>& image) {
         rows.push_back(reinterpret_cast<png_bytep>(image.row(y).data()));
     }
     return rows;
-}
-
-// An exception may not pass through C.
-bool append(Bytes& bytes, std::span<const std::uint8_t> more) noexcept {
-    try {
-        bytes.insert(bytes.end(), more.begin(), more.end());
-        return true;
-    } catch (const std::bad_alloc&) {
-        return false;
-    }
-}
-
-void write_bytes(png_structp png, png_bytep first, std::size_t count) {
-    auto& bytes = *static_cast<Bytes*>(png_get_io_ptr(png));
-    if (!append(bytes, {first, count})) png_error(png, "out of memory");
-}
-
-void flush_nothing(png_structp) {}
-
-int colour_type(int channels) {
-    static constexpr std::array types = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA,
-                                         PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA};
-    return types[static_cast<std::size_t>(channels - 1)];
-}
-
-// Measured on six shaded ellipsoids at 1920 x 1080: as small as the library's defaults make it, in
-// a quarter of the time. Depth, of two bytes and mostly smooth, needs a filter.
-void set_compression(png_structp png, int bit_depth) {
-    png_set_compression_level(png, 4);
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, bit_depth == 16 ? PNG_FILTER_UP : PNG_FILTER_NONE);
-}
-
-template <class Sample>
-void write_picture(png_structp png, png_infop info, const Image<Sample>& image) {
-    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width()),
-                 static_cast<png_uint_32>(image.height()), bits<Sample>,
-                 colour_type(image.channels()), PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
-    set_compression(png, bits<Sample>);
-    png_write_info(png, info);
-    keep_native_order(png, bits<Sample>);
-    for (int y = 0; y < image.height(); ++y) {
-        png_write_row(png, reinterpret_cast<png_const_bytep>(image.row(y).data()));
-    }
-    png_write_end(png, info);
-}
-
-template <class Sample>
-Bytes encode(const Image<Sample>& image) {
-    Bytes bytes;
-    Writer writer;
-    writer.run("PNG", [&] {
-        png_set_write_fn(writer.png, &bytes, write_bytes, flush_nothing);
-        write_picture(writer.png, writer.info, image);
-    });
-    return bytes;
 }
 
 struct Input {
@@ -213,14 +141,6 @@ Image<Sample> read_pixels(Reader& reader, const std::string& name, const Layout&
 }
 
 }  // namespace
-
-Bytes encode_png(const Image8& image) {
-    return encode(image);
-}
-
-Bytes encode_png(const Image16& image) {
-    return encode(image);
-}
 
 AnyImage decode_png(const EncodedImage& file) {
     Reader reader;
