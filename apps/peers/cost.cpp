@@ -7,9 +7,11 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -57,9 +59,31 @@ StagePtr layers(std::uint32_t count, LayerOrder order) {
         full_hd);
 }
 
-Job fast(const StagePtr& stage, Shading shading, const render::Execution& execution = {}) {
-    const auto renderer = std::make_shared<render::Renderer>(execution);
-    const auto picture = std::make_shared<raster::Plane<raster::PackedPixel>>(stage->size(), 0);
+/// Jobs share the memory they work in, for that of many would have gone cold when its turn comes.
+class Workshop {
+public:
+    std::shared_ptr<render::Renderer> renderer(int threads, std::string_view instructions) {
+        auto& renderer = renderers_[{threads, instructions}];
+        if (!renderer)
+            renderer = std::make_shared<render::Renderer>(render::Execution{threads, instructions});
+        return renderer;
+    }
+    using Picture = raster::Plane<raster::PackedPixel>;
+    std::shared_ptr<Picture> picture(raster::Viewport size) {
+        auto& picture = pictures_[{size.width, size.height}];
+        if (!picture) picture = std::make_shared<Picture>(size, 0);
+        return picture;
+    }
+
+private:
+    std::map<std::pair<int, std::string_view>, std::shared_ptr<render::Renderer>> renderers_;
+    std::map<std::pair<int, int>, std::shared_ptr<Picture>> pictures_;
+};
+
+Job fast(Workshop& shop, const StagePtr& stage, Shading shading, int threads = 0,
+         std::string_view instructions = {}) {
+    const auto renderer = shop.renderer(threads, instructions);
+    const auto picture = shop.picture(stage->size());
     return [=] {
         renderer->draw(stage->scene(), settings_for(shading), *picture, raster::Encoding::linear);
     };
@@ -81,7 +105,7 @@ struct Plan {
 };
 
 /// A curve a shading, a place a stage.
-Plan by_stage(const std::string& title,
+Plan by_stage(Workshop& shop, const std::string& title,
               const std::vector<std::pair<std::string, StagePtr>>& stages) {
     Plan plan{{title, {}, {}}, {}};
     for (const auto& [place, stage] : stages)
@@ -89,13 +113,13 @@ Plan by_stage(const std::string& title,
     for (const auto& [name, shading] : all_shadings) {
         std::vector<Job> jobs;
         for (const auto& [place, stage] : stages)
-            jobs.push_back(fast(stage, shading));
+            jobs.push_back(fast(shop, stage, shading));
         plan.add(name, jobs);
     }
     return plan;
 }
 
-Plan by_triangles() {
+Plan by_triangles(Workshop& shop) {
     std::vector<std::pair<std::string, StagePtr>> stages;
     for (const auto& [rings, name] : {std::pair{16u, "1k"},
                                       {32u, "4k"},
@@ -104,26 +128,26 @@ Plan by_triangles() {
                                       {256u, "262k"},
                                       {512u, "1M"}})
         stages.emplace_back(name, sphere(rings, full_hd));
-    return by_stage("milliseconds by triangles", stages);
+    return by_stage(shop, "milliseconds by triangles", stages);
 }
 
-Plan by_pixels() {
+Plan by_pixels(Workshop& shop) {
     std::vector<std::pair<std::string, StagePtr>> stages;
     for (const int height : {270, 540, 1080, 2160}) {
         const int width = height * 16 / 9;
         stages.emplace_back(std::to_string(width) + "x" + std::to_string(height),
                             sphere(128, {width, height}));
     }
-    return by_stage("milliseconds by size, 66k triangles", stages);
+    return by_stage(shop, "milliseconds by size, 66k triangles", stages);
 }
 
-Plan by_layers(LayerOrder order) {
+Plan by_layers(Workshop& shop, LayerOrder order) {
     const std::string words =
         order == LayerOrder::back_to_front ? "back to front" : "front to back";
     std::vector<std::pair<std::string, StagePtr>> stages;
     for (const std::uint32_t count : {1u, 2u, 4u, 8u, 16u})
         stages.emplace_back(std::to_string(count), layers(count, order));
-    return by_stage("milliseconds by full layers, " + words, stages);
+    return by_stage(shop, "milliseconds by full layers, " + words, stages);
 }
 
 /// Stages on which threads and vectors are compared.
@@ -133,7 +157,7 @@ std::vector<std::pair<std::string, StagePtr>> compared_stages() {
             {"8 layers", layers(8, LayerOrder::back_to_front)}};
 }
 
-Plan by_threads() {
+Plan by_threads(Workshop& shop) {
     Plan plan{{"milliseconds by threads, Phong", {}, {}}, {}};
     const int processors = static_cast<int>(std::thread::hardware_concurrency());
     std::vector<int> counts;
@@ -144,13 +168,13 @@ Plan by_threads() {
     for (const auto& [name, stage] : compared_stages()) {
         std::vector<Job> jobs;
         for (const int count : counts)
-            jobs.push_back(fast(stage, Shading::phong, {count, {}}));
+            jobs.push_back(fast(shop, stage, Shading::phong, count));
         plan.add(name, jobs);
     }
     return plan;
 }
 
-Plan by_instructions() {
+Plan by_instructions(Workshop& shop) {
     Plan plan{{"milliseconds by vectors, 1 thread, Phong", {"textbook"}, {}}, {}};
     auto sets = render::instruction_sets();
     std::ranges::reverse(sets);
@@ -159,7 +183,7 @@ Plan by_instructions() {
     for (const auto& [name, stage] : compared_stages()) {
         std::vector<Job> jobs{textbook(stage, Shading::phong)};
         for (const auto set : sets)
-            jobs.push_back(fast(stage, Shading::phong, {1, set}));
+            jobs.push_back(fast(shop, stage, Shading::phong, 1, set));
         plan.add(name, jobs);
     }
     return plan;
@@ -201,15 +225,17 @@ int run(int argc, char** argv) {
     app.add_option("--svg", svg_path, "Draw the plot into this file");
     CLI11_PARSE(app, argc, argv);
     std::vector<Panel> panels;
-    const std::vector<std::function<Plan()>> plans = {
+    using enum LayerOrder;
+    const std::vector<std::function<Plan(Workshop&)>> plans = {
         by_triangles,
         by_pixels,
-        [] { return by_layers(LayerOrder::back_to_front); },
-        [] { return by_layers(LayerOrder::front_to_back); },
+        [](Workshop& shop) { return by_layers(shop, back_to_front); },
+        [](Workshop& shop) { return by_layers(shop, front_to_back); },
         by_threads,
         by_instructions};
     for (const auto& plan : plans) {
-        panels.push_back(measured(plan(), rounds));
+        Workshop shop;
+        panels.push_back(measured(plan(shop), rounds));
         print_table(std::cout, panels.back());
         std::cout.flush();
     }
