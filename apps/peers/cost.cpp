@@ -49,7 +49,8 @@ render::Settings settings_for(Shading shading) {
 }
 
 StagePtr sphere(std::uint32_t rings, raster::Viewport size) {
-    return std::make_shared<Stage>(mesh::build(displaced_sphere(rings)).mesh, View::framed, size);
+    return std::make_shared<Stage>(mesh::triangulated(mesh::build(displaced_sphere(rings)).mesh),
+                                   View::framed, size);
 }
 
 StagePtr layers(std::uint32_t count, LayerOrder order) {
