@@ -61,12 +61,12 @@ struct FateCounts {
     }
 };
 
-/// Polygons that go on: seen, and with a pixel's centre in their box. One element more than a
-/// vector is needed behind the last, for whole vectors are written.
+/// Polygons that go on: seen, and with a pixel's centre in their box; or passed on, to be culled
+/// one by one. One element more than a vector is needed behind the last, for whole vectors are
+/// written.
 struct Survivors {
-    std::vector<std::int32_t> item;     // FaceItem
-    std::vector<std::int32_t> y_begin;  // their rows; nothing yet of those marked `walk_flag`,
-    std::vector<std::int32_t> y_end;    // which have not been culled either
+    std::vector<std::int32_t> item;            // FaceItem
+    std::vector<std::int32_t> y_begin, y_end;  // their rows
     std::size_t count = 0;
 
     void reserve(std::size_t n) {
@@ -76,11 +76,9 @@ struct Survivors {
         y_end.resize(n);
     }
     std::size_t bytes() const { return bytes_held(item, y_begin, y_end); }
-    /// A polygon that is yet to be culled.
-    void pass_on(FaceItem face) { item[count++] = static_cast<std::int32_t>(face | walk_flag); }
-    bool is_passed_on(std::size_t i) const {
-        return (static_cast<FaceItem>(item[i]) & walk_flag) != 0;
-    }
+    /// A polygon that is yet to be culled: it has no rows, not even none.
+    void pass_on(FaceItem face) { set(count++, face, {0, -1}); }
+    bool is_passed_on(std::size_t i) const { return y_end[i] < 0; }
     void set(std::size_t i, FaceItem face, Rows rows) {
         item[i] = static_cast<std::int32_t>(face);
         y_begin[i] = rows.y_begin;

@@ -37,8 +37,10 @@ public:
 
 private:
     SCANLIGHT_FLATTEN void draw_vector(std::span<const FaceItem> items) {
-        prepare(items);
         const std::uint32_t triangles = triangles_among(items);
+        const Ints item = lanes_of(items);
+        store(keep_.own(item), own_);
+        if (triangles != 0) prepare(item);
         const std::uint32_t planar = prepared_.planar & triangles;
         const std::uint32_t small = prepared_.small & planar;
         const std::uint32_t tiny = prepared_.tiny & triangles;
@@ -63,16 +65,18 @@ private:
     }
 
     /// Lanes without an item repeat the first.
-    void prepare(std::span<const FaceItem> items) {
+    static Ints lanes_of(std::span<const FaceItem> items) {
         std::int32_t lanes[lane_count];
         for (std::size_t i = 0; i < lane_count; ++i)
             lanes[i] = static_cast<std::int32_t>(items[i < items.size() ? i : 0]);
-        const Ints item = load(lanes);
+        return load(lanes);
+    }
+
+    void prepare(Ints item) {
         const TriangleLanes v =
             triangles_at(streams_, item & Ints(static_cast<std::int32_t>(face_mask)));
         const TriangleSetup setup = HWY_NAMESPACE::prepare(streams_, v, band_.rows(), prepared_);
         preparer_.prepare(setup.planes, v, item < Ints(0), setup.column, setup.row, attributes_);
-        store(keep_.own(item), own_);
     }
 
     /// A bit a lane: which are not to be walked.

@@ -42,8 +42,7 @@ Ints pack_lanes(Floats red, Floats green, Floats blue) {
     }
     constexpr std::uint32_t over = 0x4b000000u;  // the bits of 2^23, in each of three bytes' places
     return packed_bytes(linear_byte_over_2_23(red), linear_byte_over_2_23(green),
-                        linear_byte_over_2_23(blue),
-                        opaque - over - (over << 8) - (over << 16));
+                        linear_byte_over_2_23(blue), opaque - over - (over << 8) - (over << 16));
 }
 
 }  // namespace scanlight::raster::HWY_NAMESPACE

@@ -8,7 +8,7 @@ namespace {
 
 void cull_faces(const PolygonStreams& streams, CullRule rule, std::size_t begin, std::size_t end,
                 Survivors& survivors, FateCounts& counts) {
-    TriangleCuller(streams, rule).cull(begin, end, survivors, counts);
+    FaceCuller(streams, rule).cull(begin, end, survivors, counts);
 }
 
 void draw_items(const PolygonStreams& streams, std::span<const FaceItem> items, VisibleBand& band,

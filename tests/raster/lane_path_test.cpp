@@ -256,14 +256,14 @@ Culled cull(const LanePath& path, const PolygonStreams& streams, CullRule rule, 
 
 void expect_item(const FaceFate& fate, FaceItem item, const Survivors& survivors, std::size_t i) {
     EXPECT_EQ(fate.kind, FaceFate::drawn);
-    EXPECT_FALSE(fate.walked);
     EXPECT_TRUE(fate.may_cover);
+    EXPECT_EQ((item & walk_flag) != 0, fate.walked);
     EXPECT_EQ((item & back_flag) != 0, fate.back);
     EXPECT_EQ(survivors.y_begin[i], fate.rows.y_begin);
     EXPECT_EQ(survivors.y_end[i], fate.rows.y_end);
 }
 
-/// Faces come in their order; what is left out could cover nothing; what is marked waits.
+/// Faces come in their order; what is left out could cover nothing; what is passed on waits.
 void expect_fates(const laws::RandomStreams& polygons, CullRule rule, std::size_t begin,
                   std::size_t end, const Culled& culled) {
     FateCounts counts;
@@ -274,11 +274,11 @@ void expect_fates(const laws::RandomStreams& polygons, CullRule rule, std::size_
     for (std::size_t face = begin; face < end; ++face) {
         const FaceFate fate = fate_of(polygons, face, rule);
         const bool found = i < culled.survivors.count && (item_of(i) & face_mask) == face;
-        if (found && (item_of(i) & walk_flag) != 0) {
+        if (found && culled.survivors.is_passed_on(i)) {
             ++i;
             continue;
         }
-        EXPECT_FALSE(fate.walked) << "face " << face;
+        EXPECT_FALSE(fate.clipped) << "face " << face;
         count_fate(counts, fate);
         const bool goes_on = fate.kind == FaceFate::drawn && fate.may_cover;
         ASSERT_EQ(found, goes_on) << "face " << face;

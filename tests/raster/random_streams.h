@@ -36,9 +36,11 @@ private:
         const auto place = random_.one_in(12)  ? Place::across
                            : random_.one_in(6) ? Place::beyond_a_plane
                                                : Place::inside;
-        // Triangles in long runs, or there would hardly be a vector of them.
-        const bool triangle = !random_.one_in(9);
-        const auto points = triangle ? any_triangle() : random_polygon(random_, extent_);
+        // Triangles and quads in long runs, or there would hardly be a vector of them.
+        if (random_.one_in(20)) quads_ = !quads_;
+        const auto points = random_.one_in(25) ? random_polygon(random_, extent_)
+                            : quads_           ? any_quad()
+                                               : any_triangle();
         const std::int32_t plane = 1 << random_.between(0, 5);
         for (std::size_t i = 0; i < points.size(); ++i) {
             const std::int32_t others = random_.between(0, 63);
@@ -57,6 +59,13 @@ private:
         if (random_.one_in(4)) return random_speck(random_, extent_);
         if (random_.one_in(8)) return random_sliver(random_, extent_);
         return random_triangle(random_, extent_);
+    }
+
+    /// Its edges may cross.
+    Points any_quad() {
+        Points quad = any_triangle();
+        quad.push_back(random_point(random_, extent_));
+        return quad;
     }
 
     ScreenPoint rubbish() {
@@ -78,15 +87,17 @@ private:
     std::vector<std::uint32_t> corners_, face_begin_{0};
     std::vector<std::vector<ScreenVertex<0>>> clipped_;
     bool mirrored_ = false;
+    bool quads_ = false;
 };
 
 /// What becomes of a face, worked out for it alone.
 struct FaceFate {
     enum Kind { outside, culled, drawn } kind = outside;
     bool back = false;
+    bool clipped = false;
     bool walked = false;  // clipped, or no triangle
     Rows rows{0, 0};
-    bool may_cover = false;  // it has an area and a pixel's centre in its box
+    bool may_cover = false;  // a pixel's centre lies in its box; a triangle has an area
 };
 
 inline bool has_centre(SubPixel begin, SubPixel end) {
@@ -103,7 +114,8 @@ inline FaceFate seen_fate(const std::vector<ScreenVertex<0>>& corners, bool mirr
     const auto [left, right] = std::ranges::minmax(corners, {}, &ScreenVertex<0>::x);
     const auto [top, bottom] = std::ranges::minmax(corners, {}, &ScreenVertex<0>::y);
     fate.rows = {first_centre(top.y), first_centre(bottom.y)};
-    fate.may_cover = area != 0 && has_centre(left.x, right.x) && has_centre(top.y, bottom.y);
+    fate.may_cover = (area != 0 || corners.size() != 3) && has_centre(left.x, right.x) &&
+                     has_centre(top.y, bottom.y);
     return fate;
 }
 
@@ -121,7 +133,8 @@ inline FaceFate fate_of(const RandomStreams& random, std::size_t face, CullRule 
     if (any != 0) corners = random.clipped(face);
     if (corners.size() < 3) return {};
     FaceFate fate = seen_fate(corners, streams.mirrored, rule);
-    fate.walked = any != 0 || corners.size() != 3;
+    fate.clipped = any != 0;
+    fate.walked = fate.clipped || corners.size() != 3;
     return fate;
 }
 
