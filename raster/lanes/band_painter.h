@@ -29,9 +29,9 @@ public:
     SCANLIGHT_FLATTEN void draw_span(int y, int x_begin, int x_end, const Ramp& depth,
                                      const Ramp* attributes) override {
         band_.touch(x_begin, x_end);
-        const std::size_t passed = HWY_NAMESPACE::draw_span(
-            band_.row(y), x_begin, x_end, RampLanes(depth),
-            RampValues<Keep::attributes>(attributes), keep_, Ints(walked_));
+        const bool is_short = x_end - x_begin <= short_span;
+        const std::size_t passed = is_short ? draw_short(y, x_begin, x_end, depth, attributes)
+                                            : draw_long(y, x_begin, x_end, depth, attributes);
         band_.counts() += {1, static_cast<std::size_t>(x_end - x_begin), passed};
     }
 
@@ -51,7 +51,6 @@ private:
                 draw_tiny(lane);
                 continue;
             }
-            waiting_.keep();  // what comes may lie before what waits
             const FaceItem item = items[static_cast<std::size_t>(lane)];
             if ((small >> lane & 1) != 0) {
                 draw_small(lane);
@@ -91,11 +90,15 @@ private:
         note(lane,
              HWY_NAMESPACE::draw_tiny(prepared_, lane, attributes_, own_[lane], band_, waiting_));
     }
+    // What is drawn by vectors may lie before what waits.
+
     void draw_small(int lane) {
+        waiting_.keep();
         note(lane,
              SmallTriangle<Keep>(prepared_, lane, attributes_, keep_, own_[lane], band_).draw());
     }
     void draw_large(int lane, FaceItem item) {
+        waiting_.keep();
         const auto v = streams_.face(item & face_mask);
         const auto corner = [&](std::uint32_t i) {
             return ScreenPoint{streams_.x[i], streams_.y[i]};
@@ -108,6 +111,35 @@ private:
         band_.touch(prepared_.x_begin[lane], prepared_.x_end[lane]);
         band_.counts() += pixels;
     }
+
+    std::size_t draw_long(int y, int x_begin, int x_end, const Ramp& depth,
+                          const Ramp* attributes) {
+        waiting_.keep();
+        return HWY_NAMESPACE::draw_span(band_.row(y), x_begin, x_end, RampLanes(depth),
+                                        RampValues<Keep::attributes>(attributes), keep_,
+                                        Ints(walked_));
+    }
+
+    /// Pixel by pixel; those that pass wait.
+    std::size_t draw_short(int y, int x_begin, int x_end, const Ramp& depth,
+                           const Ramp* attributes) {
+        waiting_.make_room(short_span);
+        Depth* const row = band_.depth_row(y);
+        const std::ptrdiff_t row_begin = band_.stride() * (y - band_.rows().y_begin);
+        std::size_t passed = 0;
+        for (int x = x_begin; x < x_end; ++x) {
+            const Depth z = ramp_at(depth, x - x_begin);
+            if (z >= row[x]) continue;
+            row[x] = z;
+            waiting_.add(row_begin + x, walked_,
+                         [&](int k) { return ramp_at(attributes[k], x - x_begin); });
+            ++passed;
+        }
+        return passed;
+    }
+
+    /// Spans of no more pixels are not worth a vector's set-up.
+    static constexpr int short_span = 4;
 
     const PolygonStreams& streams_;
     AttributePreparer preparer_;

@@ -48,6 +48,14 @@ private:
     Ints fraction_step_;
 };
 
+/// `Ramp::get` after so many steps, modulo 2^64 as all ramps are.
+inline std::int32_t ramp_at(const Ramp& ramp, int steps) {
+    const auto bits = [](std::int64_t v) { return static_cast<std::uint64_t>(v); };
+    const std::uint64_t value =
+        bits(ramp.value) + static_cast<std::uint64_t>(steps) * bits(ramp.step_size);
+    return static_cast<std::int32_t>((value + bits(Ramp::half)) >> ramp_bits);
+}
+
 /// The ramps of N attributes, see `RampLanes`.
 template <int N>
 class RampValues {
