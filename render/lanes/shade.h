@@ -143,9 +143,9 @@ private:
     const ObjectPass& pass_;
 };
 
-/// Three attributes of a vector of pixels, and q behind them, times a power of two: see `undivided`.
-/// All of them are multiples of the same power of two, which cancels out without a rounding. Where
-/// there is no perspective, q is 1 and nothing is to be divided.
+/// Three attributes of a vector of pixels, and q behind them, times a power of two: see
+/// `undivided`. All of them are multiples of the same power of two, which cancels out without a
+/// rounding. Where there is no perspective, q is 1 and nothing is to be divided.
 inline ColorLanes undivided_lanes(const Ints* a_q, float unit) {
     const Ints one(static_cast<std::int32_t>(raster::attribute_one));
     const Ints q = a_q[3];
@@ -161,12 +161,8 @@ public:
 
     explicit GouraudLanes(const ObjectPass& pass) : unit_(pass.unit) {}
 
-    ColorLanes shade(const PixelLanes& pixels) const {
-        return color_of(pixels.attributes);
-    }
-    ColorLanes color_of(const Ints* attributes) const {
-        return undivided_lanes(attributes, unit_);
-    }
+    ColorLanes shade(const PixelLanes& pixels) const { return color_of(pixels.attributes); }
+    ColorLanes color_of(const Ints* attributes) const { return undivided_lanes(attributes, unit_); }
 
 private:
     float unit_;
