@@ -86,16 +86,17 @@ private:
         return bits;
     }
 
-    void draw_tiny(int lane) {
-        note(lane,
-             HWY_NAMESPACE::draw_tiny(prepared_, lane, attributes_, own_[lane], band_, waiting_));
+    OneTriangle<Keep> triangle(int lane) {
+        return {prepared_, lane, attributes_, keep_, own_[lane], band_};
     }
+
+    void draw_tiny(int lane) { note(lane, HWY_NAMESPACE::draw_tiny(triangle(lane), waiting_)); }
+
     // What is drawn by vectors may lie before what waits.
 
     void draw_small(int lane) {
         waiting_.keep();
-        note(lane,
-             SmallTriangle<Keep>(prepared_, lane, attributes_, keep_, own_[lane], band_).draw());
+        note(lane, SmallTriangle<Keep>(triangle(lane)).draw());
     }
     void draw_large(int lane, FaceItem item) {
         waiting_.keep();
@@ -103,9 +104,8 @@ private:
         const auto corner = [&](std::uint32_t i) {
             return ScreenPoint{streams_.x[i], streams_.y[i]};
         };
-        note(lane, LargeTriangle<Keep>({corner(v[0]), corner(v[1]), corner(v[2])}, prepared_, lane,
-                                       attributes_, keep_, own_[lane], band_)
-                       .draw());
+        LargeTriangle<Keep> large(triangle(lane), {corner(v[0]), corner(v[1]), corner(v[2])});
+        note(lane, large.draw());
     }
     void note(int lane, PixelCounts pixels) {
         band_.touch(prepared_.x_begin[lane], prepared_.x_end[lane]);

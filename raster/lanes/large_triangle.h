@@ -4,9 +4,8 @@
 #include <array>
 
 #include "raster/crossing.h"
-#include "raster/lanes/attributes.h"
+#include "raster/lanes/one_triangle.h"
 #include "raster/lanes/spans.h"
-#include "raster/lanes/triangles.h"
 
 namespace scanlight::raster::HWY_NAMESPACE {
 
@@ -16,16 +15,8 @@ namespace scanlight::raster::HWY_NAMESPACE {
 template <class Keep>
 class LargeTriangle {
 public:
-    LargeTriangle(std::array<ScreenPoint, 3> corners, const PreparedTriangles& triangles, int lane,
-                  const PreparedAttributes<Keep::attributes>& attributes, const Keep& keep,
-                  std::int32_t own, VisibleBand& band)
-        : corners_(corners),
-          t_(triangles),
-          lane_(lane),
-          attributes_(attributes),
-          keep_(keep),
-          own_(own),
-          band_(band) {
+    LargeTriangle(const OneTriangle<Keep>& triangle, std::array<ScreenPoint, 3> corners)
+        : t_(triangle), corners_(corners) {
         std::ranges::sort(corners_, [](const auto& a, const auto& b) { return a.y < b.y; });
     }
 
@@ -40,8 +31,8 @@ private:
     /// The rows of the short edge, from the one edge to the other.
     void draw_between(ScreenPoint long_top, ScreenPoint long_bottom, ScreenPoint short_top,
                       ScreenPoint short_bottom) {
-        const int y_begin = std::max(first_centre(short_top.y), band_.rows().y_begin);
-        const int y_end = std::min(first_centre(short_bottom.y), band_.rows().y_end);
+        const int y_begin = std::max(first_centre(short_top.y), t_.band.rows().y_begin);
+        const int y_end = std::min(first_centre(short_bottom.y), t_.band.rows().y_end);
         if (y_begin >= y_end) return;
         Crossing a(long_top, long_bottom, y_begin);
         Crossing b(short_top, short_bottom, y_begin);
@@ -54,22 +45,17 @@ private:
 
     void draw_row(int y, int x_begin, int x_end) {
         if (x_begin == x_end) return;
-        const std::int64_t dx = t_.depth_plane(lane_).dx;
-        const RampLanes z(Ramp{t_.depth_at(lane_, x_begin, y), dx});
-        PlaneValues<Keep::attributes> values(attributes_, lane_, x_begin, y);
-        values.step_right(attributes_, lane_);
+        const std::int64_t dx = t_.depth_plane().dx;
+        const RampLanes z(Ramp{t_.depth_at(x_begin, y), dx});
+        typename OneTriangle<Keep>::Values values(t_.attributes, t_.lane, x_begin, y);
+        values.step_right(t_.attributes, t_.lane);
         const std::size_t passed =
-            draw_span(band_.row(y), x_begin, x_end, z, values, keep_, Ints(own_));
+            draw_span(t_.band.row(y), x_begin, x_end, z, values, t_.keep, Ints(t_.own));
         counts_ += {1, static_cast<std::size_t>(x_end - x_begin), passed};
     }
 
-    std::array<ScreenPoint, 3> corners_;
-    const PreparedTriangles& t_;
-    int lane_;
-    const PreparedAttributes<Keep::attributes>& attributes_;
-    const Keep& keep_;
-    std::int32_t own_;
-    VisibleBand& band_;
+    const OneTriangle<Keep> t_;
+    std::array<ScreenPoint, 3> corners_;  // from top to bottom
     PixelCounts counts_;
 };
 

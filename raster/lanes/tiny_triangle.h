@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raster/lanes/triangles.h"
+#include "raster/lanes/one_triangle.h"
 #include "raster/lanes/waiting_pixels.h"
 
 namespace scanlight::raster::HWY_NAMESPACE {
@@ -13,15 +13,14 @@ inline std::size_t tiny_row_count(std::uint32_t pixels) {
 
 /// Tests the pixels of one tiny triangle one by one; those that pass wait for their numbers.
 template <class Keep>
-PixelCounts draw_tiny(const PreparedTriangles& t, int lane,
-                      const PreparedAttributes<Keep::attributes>& attributes, std::int32_t own,
-                      VisibleBand& band, WaitingPixels<Keep>& waiting) {
-    const DepthPlane plane = t.depth_plane(lane);
-    const int x = t.x_begin[lane];
-    const int y = t.y_begin[lane];
-    const std::int64_t z = t.depth_at(lane, x, y);
-    Depth* const depth = band.depth_row(band.rows().y_begin);
-    const auto pixels = static_cast<std::uint32_t>(t.pixels[lane]);
+PixelCounts draw_tiny(const OneTriangle<Keep>& t, WaitingPixels<Keep>& waiting) {
+    const DepthPlane plane = t.depth_plane();
+    const int x = t.x_begin();
+    const int y = t.y_begin();
+    const std::int64_t z = t.depth_at(x, y);
+    const Rows rows = t.band.rows();
+    Depth* const depth = t.band.depth_row(rows.y_begin);
+    const auto pixels = static_cast<std::uint32_t>(t.t.pixels[t.lane]);
     std::size_t passed = 0;
     waiting.make_room(tiny_columns * tiny_rows);
     for (std::uint32_t left = pixels; left != 0; left &= left - 1) {
@@ -29,11 +28,11 @@ PixelCounts draw_tiny(const PreparedTriangles& t, int lane,
         const int i = bit % tiny_columns;
         const int j = bit / tiny_columns;
         const Depth d = Ramp{z + i * plane.dx + j * plane.dy, 0}.get();
-        const std::ptrdiff_t place = (y + j - band.rows().y_begin) * band.stride() + x + i;
+        const std::ptrdiff_t place = (y + j - rows.y_begin) * t.band.stride() + x + i;
         if (d >= depth[place]) continue;
         depth[place] = d;
-        waiting.add(place, own, [&](int k) {
-            return PlaneValues<Keep::attributes>::attribute_at(attributes, k, lane, x + i, y + j);
+        waiting.add(place, t.own, [&](int k) {
+            return OneTriangle<Keep>::Values::attribute_at(t.attributes, k, t.lane, x + i, y + j);
         });
         ++passed;
     }
