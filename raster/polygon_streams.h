@@ -52,13 +52,6 @@ struct FateCounts {
     std::size_t outside = 0;
     std::size_t culled = 0;
     std::size_t drawn = 0;
-
-    FateCounts& operator+=(const FateCounts& other) {
-        outside += other.outside;
-        culled += other.culled;
-        drawn += other.drawn;
-        return *this;
-    }
 };
 
 /// Polygons that go on: seen, and with a pixel's centre in their box; or passed on, to be culled

@@ -73,6 +73,7 @@ std::size_t ObjectPass::bytes() const {
 
 void ObjectPass::begin(const Object& begun, const Frame& its_frame, const Settings& its_settings) {
     assert(begun.materials.size() == begun.mesh->materials.size());
+    assert(begun.mesh->face_count() <= raster::most_faces);
     object = &begun;
     frame = &its_frame;
     settings = &its_settings;

@@ -31,7 +31,6 @@ struct VectorStreams {
 
     void resize(std::size_t n);
     std::size_t bytes() const { return raster::bytes_held(x, y, z); }
-    glm::vec3 operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
 /// What is worked out of each vertex before anything is drawn: structure of arrays.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -261,10 +260,6 @@ int run(int argc, char** argv) {
 }  // namespace scanlight::peers
 
 int main(int argc, char** argv) {
-    try {
-        return scanlight::peers::run(argc, argv);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "scanlight-bench-cost: %s\n", error.what());
-        return 1;
-    }
+    using namespace scanlight::peers;
+    return status_of("scanlight-bench-cost", [&] { return run(argc, argv); });
 }

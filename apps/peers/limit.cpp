@@ -2,7 +2,6 @@
 // stores, and to setting the picture's bytes.
 
 #include <cstdio>
-#include <exception>
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -169,10 +168,6 @@ int run(int argc, char** argv) {
 }  // namespace scanlight::peers
 
 int main(int argc, char** argv) {
-    try {
-        return scanlight::peers::run(argc, argv);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "scanlight-bench-limit: %s\n", error.what());
-        return 1;
-    }
+    using namespace scanlight::peers;
+    return status_of("scanlight-bench-limit", [&] { return run(argc, argv); });
 }

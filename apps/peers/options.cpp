@@ -1,5 +1,8 @@
 #include "apps/peers/options.h"
 
+#include <exception>
+#include <iostream>
+
 #include <cstddef>
 
 namespace scanlight::peers {
@@ -38,6 +41,15 @@ void add_options(CLI::App& app, Options& options) {
         ->check(CLI::Range(3, 1000))
         ->capture_default_str();
     app.add_option("--json", options.json_path, "Write all times to this file, an object a line");
+}
+
+int status_of(const std::string& program, const std::function<int()>& work) {
+    try {
+        return work();
+    } catch (const std::exception& error) {
+        std::cerr << program << ": " << error.what() << '\n';
+        return 2;
+    }
 }
 
 }  // namespace scanlight::peers

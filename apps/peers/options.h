@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,8 @@ struct Options {
 };
 
 void add_options(CLI::App& app, Options& options);
+
+/// The exit status that `work` returns; 2 if it throws, after a message in the program's name.
+int status_of(const std::string& program, const std::function<int()>& work);
 
 }  // namespace scanlight::peers

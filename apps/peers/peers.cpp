@@ -135,23 +135,17 @@ std::string extra_threads(int threads) {
     return std::to_string(threads == 1 ? 0 : threads);
 }
 
-/// 0, or 1 if it throws, after saying why.
-int said(const std::function<void()>& work) {
-    try {
-        work();
-        return 0;
-    } catch (const std::exception& error) {
-        std::cerr << "scanlight-bench-peers: " << error.what() << '\n';
-        return 1;
-    }
-}
+constexpr const char* program = "scanlight-bench-peers";
 
 /// Does the work in a process of its own, for llvmpipe reads its number of threads but once.
 /// Returns its exit code.
 int in_process(const std::function<void()>& work) {
     const pid_t child = fork();
     if (child == 0) {
-        const int code = said(work);
+        const int code = status_of(program, [&] {
+            work();
+            return 0;
+        });
         std::cout << std::flush;
         _exit(code);
     }
@@ -182,7 +176,6 @@ int run(int argc, char** argv) {
 }  // namespace scanlight::peers
 
 int main(int argc, char** argv) {
-    int code = 1;
-    const int failed = scanlight::peers::said([&] { code = scanlight::peers::run(argc, argv); });
-    return failed != 0 ? failed : code;
+    using namespace scanlight::peers;
+    return status_of(program, [&] { return run(argc, argv); });
 }

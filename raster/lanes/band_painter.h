@@ -38,28 +38,28 @@ public:
 private:
     SCANLIGHT_FLATTEN void draw_vector(std::span<const FaceItem> items) {
         const std::uint32_t triangles = triangles_among(items);
-        const Ints item = lanes_of(items);
-        store(keep_.own(item), own_);
-        if (triangles != 0) prepare(item);
-        const std::uint32_t planar = prepared_.planar & triangles;
-        const std::uint32_t small = prepared_.small & planar;
-        const std::uint32_t tiny = prepared_.tiny & triangles;
+        const Ints lanes = lanes_of(items);
+        store(keep_.own(lanes), own_);
+        if (triangles != 0) prepare(lanes);
         std::uint32_t left = bits_of(first_lanes(static_cast<int>(items.size())));
         for (left &= ~(prepared_.unseen & triangles); left != 0; left &= left - 1) {
             const int lane = std::countr_zero(left);
-            if ((tiny >> lane & 1) != 0) {
-                draw_tiny(lane);
-                continue;
-            }
-            const FaceItem item = items[static_cast<std::size_t>(lane)];
-            if ((small >> lane & 1) != 0) {
-                draw_small(lane);
-            } else if ((planar >> lane & 1) != 0) {
-                draw_large(lane, item);
-            } else {
-                walked_ = own_[lane];
-                walker_.draw(item, *this);
-            }
+            draw_lane(lane, items[static_cast<std::size_t>(lane)]);
+        }
+    }
+
+    /// By its size.
+    void draw_lane(int lane, FaceItem item) {
+        const auto is = [lane](std::uint32_t bits) { return (bits >> lane & 1) != 0; };
+        if ((item & walk_flag) != 0 || !is(prepared_.planar)) {
+            walked_ = own_[lane];
+            walker_.draw(item, *this);
+        } else if (is(prepared_.tiny)) {
+            draw_tiny(lane);
+        } else if (is(prepared_.small)) {
+            draw_small(lane);
+        } else {
+            draw_large(lane, item);
         }
     }
 

@@ -202,9 +202,6 @@ inline Mask operator<(Doubles a, Doubles b) {
 inline Mask operator>(Doubles a, Doubles b) {
     return b < a;
 }
-inline Mask operator>=(Doubles a, Doubles b) {
-    return mask_of(wide_bits(hn::Ge(a.low, b.low)), wide_bits(hn::Ge(a.high, b.high)));
-}
 
 inline hn::Mask<IntTag> int_mask(Mask mask) {
     return hn::RebindMask(IntTag(), mask.m);
@@ -323,11 +320,6 @@ inline Doubles doubles_of(Floats a) {
 inline Floats floats_of(Doubles a) {
     const HalfFloatTag half;
     return hn::Combine(FloatTag(), hn::DemoteTo(half, a.high), hn::DemoteTo(half, a.low));
-}
-/// Of whole numbers that fit.
-inline Ints ints_of(Doubles a) {
-    const HalfIntTag half;
-    return hn::Combine(IntTag(), hn::DemoteTo(half, a.high), hn::DemoteTo(half, a.low));
 }
 /// To the nearest, ties to even, as `std::llrint` does; for |a| < 2^51. The sum's last bit is 1.
 inline Longs nearest(Doubles a) {
