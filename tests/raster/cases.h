@@ -7,7 +7,8 @@ namespace scanlight::raster::laws {
 
 // Under sanitizers, without optimisation and where lines are counted, a case costs thirty times as
 // much.
-#if defined(SCANLIGHT_FEW_CASES) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__OPTIMIZE__)
+#if defined(SCANLIGHT_FEW_CASES) || defined(__SANITIZE_ADDRESS__) || \
+    defined(__SANITIZE_THREAD__) || !defined(__OPTIMIZE__)
 inline constexpr bool thorough = false;
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || \
