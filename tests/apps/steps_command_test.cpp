@@ -23,12 +23,12 @@ std::string output_of(const Shell& shell, const std::string& line) {
 // ---- text
 
 TEST(StepsText, OfAStarIsThePrintedOne) {
-    const std::string golden = SCANLIGHT_TESTS_DIR "/apps/steps_star.txt";
+    const std::filesystem::path golden = SCANLIGHT_TESTS_DIR "/apps/steps_star.txt";
     const std::string actual = output_of(
         Shell(), "scanlight steps shape:star --view 0,0 --light point:0.5,1,0.5 --size 20x12");
-    const std::string seen = SCANLIGHT_BUILD_DIR "/golden-failures/steps_star.txt";
+    const std::filesystem::path seen = SCANLIGHT_BUILD_DIR "/golden-failures/steps_star.txt";
     if (actual == contents_of(golden)) return;
-    std::filesystem::create_directories(std::filesystem::path(seen).parent_path());
+    std::filesystem::create_directories(seen.parent_path());
     put(seen, actual);
     ADD_FAILURE() << "the text has changed: diff " << golden << ' ' << seen << "\nto accept it: cp "
                   << seen << ' ' << golden;
