@@ -53,6 +53,20 @@ public:
         }
     }
 
+    /// Calls `visit(left, right, winding)` for each stretch between neighbours that the outline
+    /// goes round: so often, counter-clockwise on the screen positive (non-zero winding rule).
+    template <class Visit>
+    void for_each_wound(Visit&& visit) const {
+        std::int32_t winding = 0;
+        for (std::size_t i = 0; i + 1 < edges_.size(); ++i) {
+            const Edge<Values>& left = *edges_[i];
+            const Edge<Values>& right = *edges_[i + 1];
+            winding += left.winding;
+            if (winding != 0 && left.crossing.column() < right.crossing.column())
+                visit(left, right, winding);
+        }
+    }
+
     /// Drops the edges that have ended before scanline `y`.
     void retire_before(int y) {
         if (y < y_first_end_) return;

@@ -15,7 +15,8 @@ struct Edge {
     int y_end = 0;    // one past the last; half-open, so neighbours never share a pixel
     Crossing crossing;
     Values values;
-    std::uint32_t index = 0;  // the polygon's edge from corner `index` to the next
+    std::uint32_t index = 0;   // the polygon's edge from corner `index` to the next
+    std::int32_t winding = 1;  // of the outline: 1 where it runs down this edge, -1 where up
 
     void step() {
         crossing.step();

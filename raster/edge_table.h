@@ -34,6 +34,7 @@ public:
             const bool downward = a.y < b.y;
             set(edges_[place], downward ? a : b, downward ? b : a, rows, values_down);
             edges_[place].index = index;
+            edges_[place].winding = downward ? 1 : -1;
         }
     }
 

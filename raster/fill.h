@@ -19,11 +19,11 @@ enum class Interpolation {
 };
 
 /// Turns polygons of N attributes into spans. Any simple polygon, convex or concave, clockwise or
-/// not; where edges cross, the even-odd rule holds. A pixel is covered when its centre lies inside;
+/// not; where edges cross, the fill rule decides. A pixel is covered when its centre lies inside;
 /// a centre on an edge belongs to the polygon right of or below the edge (top-left rule), so the
 /// polygons of a tiling cover each pixel exactly once. Keeps scratch memory from one polygon to the
 /// next; not for two threads at once.
-template <int N>
+template <int N, FillRule rule = FillRule::even_odd>
 class PolygonFiller {
 public:
     /// Calls `emit(const Span<N>&)` from top to bottom and left to right, for the spans in `rows`.
@@ -46,15 +46,15 @@ private:
         ActiveEdges<Values> active;
     };
 
-    template <class Rule, class Emit, class Observer>
-    void walk(std::span<const ScreenVertex<N>> polygon, Rows rows, const Rule& rule,
-              Edges<typename Rule::EdgeValues>& edges, Emit& emit, Observer& observer) {
+    template <class Values, class Emit, class Observer>
+    void walk(std::span<const ScreenVertex<N>> polygon, Rows rows, const Values& values,
+              Edges<typename Values::EdgeValues>& edges, Emit& emit, Observer& observer) {
         const auto down = [&](const auto& top, const auto& bottom, int row) {
-            return rule.down(top, bottom, row);
+            return values.down(top, bottom, row);
         };
         edges.table.build(polygon, down, rows);
         observer.edge_table(edges.table);
-        scan_convert<N>(edges.table, edges.active, rule, emit, observer);
+        scan_convert<N, rule>(edges.table, edges.active, values, emit, observer);
     }
 
     Edges<typename Bilinear<N>::EdgeValues> bilinear_edges_;

@@ -63,8 +63,14 @@ inline float clamped(float value, float low, float high) {
     return value >= low ? (value <= high ? value : high) : low;
 }
 
-inline Depth depth_from_ndc(float z) {
-    return static_cast<Depth>(std::llrint(static_cast<double>(clamped(z, 0.0f, 1.0f)) * depth_far));
+/// How far beyond the far plane depth can tell, for what is not clipped there.
+inline constexpr float deepest_ndc = 1.5f;
+/// Beyond that.
+inline constexpr Depth depth_beyond = 0x7fffffff;
+
+inline Depth depth_from_ndc(float z, float deepest = 1.0f) {
+    return static_cast<Depth>(
+        std::llrint(static_cast<double>(clamped(z, 0.0f, deepest)) * depth_far));
 }
 
 /// The far plane's depth, as a float, is 2^30.

@@ -21,15 +21,16 @@ inline SubPixel snap(float pixels, int size) {
         std::lrint(clamped(pixels, 0.0f, limit) * static_cast<float>(subpixels)));
 }
 
-/// Divides by w and snaps to 1/256 pixel. Screen y grows downward. The vertex has been clipped.
+/// Divides by w and snaps to 1/256 pixel. Screen y grows downward. The vertex has been clipped, or
+/// lies beyond the far plane by no more than `deepest`.
 template <int N>
-ScreenVertex<N> snapped(const glm::vec4& p, const Viewport& viewport) {
+ScreenVertex<N> snapped(const glm::vec4& p, const Viewport& viewport, float deepest = 1.0f) {
     const float half_width = 0.5f * static_cast<float>(viewport.width);
     const float half_height = 0.5f * static_cast<float>(viewport.height);
     ScreenVertex<N> v;
     v.x = snap((p.x / p.w + 1.0f) * half_width, viewport.width);
     v.y = snap((1.0f - p.y / p.w) * half_height, viewport.height);
-    v.z = depth_from_ndc(p.z / p.w);
+    v.z = depth_from_ndc(p.z / p.w, deepest);
     return v;
 }
 

@@ -12,6 +12,7 @@ struct Span {
     int x_begin = 0;
     int x_end = 0;
     Ramps<N> ramps;
+    int winding = 1;  // how often the outline goes round it, under `FillRule::winding`
 };
 
 }  // namespace scanlight::raster
