@@ -3,6 +3,7 @@
 #include "render/flat.h"
 #include "render/gouraud.h"
 #include "render/phong.h"
+#include "render/shadows.h"
 #include "render/surface_data.h"
 
 namespace scanlight::render {
@@ -48,6 +49,7 @@ DrawCounts& DrawCounts::operator+=(const DrawCounts& other) {
 }
 
 Drawing draw(const Scene& scene, const Settings& settings, raster::Viewport viewport) {
+    if (settings.shadows != Shadows::none) return draw_with_shadows(scene, settings, viewport);
     Drawing result{raster::Framebuffer(viewport, scene.background), {}};
     const Frame frame = frame_of(scene, settings.distances, viewport);
     for (const Object& object : scene.objects) {

@@ -18,6 +18,12 @@ struct Frame {
     glm::vec4 viewpoint;          // world, homogeneous: the eye, or the direction to it
     shading::Lighting<float> lighting;
 
+    /// Whether all lines of sight are parallel, as those of an orthographic camera.
+    bool is_parallel() const {
+        return clip_from_world[0][3] == 0.0 && clip_from_world[1][3] == 0.0 &&
+               clip_from_world[2][3] == 0.0;
+    }
+
     /// V: unit, from a point in world space towards the eye.
     glm::vec3 view_from(const glm::vec3& point) const {
         return render::view_from(viewpoint, point);

@@ -185,4 +185,12 @@ Camera with_fitted_planes(Camera camera, const std::vector<Object>& objects) {
     return camera;
 }
 
+Camera with_room_for_shadows(Camera camera) {
+    // Infinity lies far / (far - near) times as deep as the far plane: 4/3, less than
+    // `deepest_ndc`.
+    if (camera.projection == Projection::perspective)
+        camera.near = std::min(camera.near, 0.25 * camera.far);
+    return camera;
+}
+
 }  // namespace scanlight::render

@@ -28,4 +28,8 @@ Camera framed(Camera camera, const std::vector<Object>& objects, double aspect);
 /// Objects behind the eye are left out; near is at least far / 10000, so that depth keeps its bits.
 Camera with_fitted_planes(Camera camera, const std::vector<Object>& objects);
 
+/// With a near plane so near that depth can tell where shadows end, at infinity: else shadow
+/// volumes have to be cut at the far plane, which takes longer. Perspective only.
+Camera with_room_for_shadows(Camera camera);
+
 }  // namespace scanlight::render

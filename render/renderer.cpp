@@ -9,6 +9,7 @@
 
 #include "raster/workers.h"
 #include "render/band_drawer.h"
+#include "render/draw.h"
 #include "render/gouraud.h"
 #include "render/walker.h"
 
@@ -113,11 +114,14 @@ private:
         memory_.passes.resize(scene_.objects.size());
         for (std::size_t i = 0; i < scene_.objects.size(); ++i)
             memory_.passes[i].begin(scene_.objects[i], frame_, settings_);
+        std::vector<std::atomic<std::int32_t>> outside(memory_.passes.size());
         for_each_piece(memory_.passes, vertices_a_piece, vertex_count,
                        [&](int, const Piece& piece) {
-                           std::atomic_ref(piece.pass->polygons.outside_of_any) |=
+                           outside[static_cast<std::size_t>(piece.pass - memory_.passes.data())] |=
                                memory_.path.place_vertices(*piece.pass, piece.begin, piece.end);
                        });
+        for (std::size_t i = 0; i < outside.size(); ++i)
+            memory_.passes[i].polygons.outside_of_any = outside[i];
     }
 
     void light_vertices() {
@@ -199,6 +203,41 @@ private:
     raster::Bands bands_;
 };
 
+namespace {
+
+void copy(const raster::Plane<raster::Rgba>& from, const Target& to) {
+    for (int y = 0; y < from.height(); ++y) {
+        if (const auto* floats = std::get_if<FloatTarget>(&to)) {
+            std::ranges::copy(from.row(y), floats->plane->row(y).begin());
+        } else {
+            const auto& packed = std::get<PackedTarget>(to);
+            std::ranges::transform(from.row(y), packed.plane->row(y).begin(), [&](const auto& c) {
+                return raster::packed_pixel(c, packed.encoding);
+            });
+        }
+    }
+}
+
+/// What the fast path does not know yet.
+DrawReport draw_by_the_textbook(const Scene& scene, const Settings& settings, const Target& target,
+                                raster::Plane<raster::Depth>* depth) {
+    Drawing drawing = draw(scene, settings, size_of(target));
+    copy(drawing.framebuffer.color, target);
+    if (depth != nullptr) *depth = std::move(drawing.framebuffer.depth);
+    DrawReport report;
+    report.counts = drawing.counts;
+    return report;
+}
+
+}  // namespace
+
+DrawReport Renderer::draw_into(const Scene& scene, const Settings& settings, const Target& target,
+                               raster::Plane<raster::Depth>* depth) {
+    if (settings.shadows != Shadows::none)
+        return draw_by_the_textbook(scene, settings, target, depth);
+    return Picture(*memory_, scene, settings, target, depth).draw();
+}
+
 std::vector<std::string_view> instruction_sets() {
     std::vector<std::string_view> names;
     for (const LanePath* path : lane_paths())
@@ -221,16 +260,14 @@ std::string_view Renderer::instructions() const {
 
 DrawReport Renderer::draw(const Scene& scene, const Settings& settings,
                           raster::Plane<raster::Rgba>& color, raster::Plane<raster::Depth>* depth) {
-    const Target target = FloatTarget{&color, scene.background};
-    return Picture(*memory_, scene, settings, target, depth).draw();
+    return draw_into(scene, settings, FloatTarget{&color, scene.background}, depth);
 }
 
 DrawReport Renderer::draw(const Scene& scene, const Settings& settings,
                           raster::Plane<raster::PackedPixel>& color, raster::Encoding encoding,
                           raster::Plane<raster::Depth>* depth) {
-    const Target target =
-        PackedTarget{&color, encoding, raster::packed_pixel(scene.background, encoding)};
-    return Picture(*memory_, scene, settings, target, depth).draw();
+    const PackedTarget target{&color, encoding, raster::packed_pixel(scene.background, encoding)};
+    return draw_into(scene, settings, target, depth);
 }
 
 }  // namespace scanlight::render

@@ -37,8 +37,8 @@ struct DrawReport {
 /// The fast path: draws what `draw` draws, to the bit, by vectors and threads. First the vertices,
 /// many at a time; then polygons are culled and sorted into bands of rows; then each thread takes
 /// one band after the other, finds out what each pixel shows, and only then lights the pixels. See
-/// docs/fast-path.md. Keeps its threads and its memory from one picture to the next; not for two
-/// callers at once.
+/// docs/fast-path.md. Shadows are drawn by `draw` itself. Keeps its threads and its memory from one
+/// picture to the next; not for two callers at once.
 class Renderer {
 public:
     /// Throws std::invalid_argument for instructions that this machine does not run.
@@ -60,6 +60,9 @@ public:
                     raster::Plane<raster::Depth>* depth = {});
 
 private:
+    DrawReport draw_into(const Scene& scene, const Settings& settings, const Target& target,
+                         raster::Plane<raster::Depth>* depth);
+
     class Picture;
     struct Memory;
     std::unique_ptr<Memory> memory_;

@@ -43,6 +43,14 @@ enum class Sides { one, two };
 /// their directions are the same for every point (the chapter's simplification).
 enum class Distances { finite, infinite };
 
+/// How shadows are found.
+enum class Shadows {
+    none,
+    zpass,            // shadow volumes, counted from the eye to the surface
+    zpass_from_zero,  // the same without a thought to where the eye is: wrong in a shadow
+    zfail,            // shadow volumes, counted from infinity back to the surface
+};
+
 struct Settings {
     Shading shading = Shading::phong;
     shading::Illumination illumination = shading::Illumination::phong;
@@ -51,6 +59,7 @@ struct Settings {
     Cull cull = Cull::none;
     Sides sides = Sides::two;
     Distances distances = Distances::finite;
+    Shadows shadows = Shadows::none;
 };
 
 /// Calls `use` with the function object of the settings' illumination model.
