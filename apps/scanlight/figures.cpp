@@ -45,6 +45,28 @@ const std::vector<Figure>& figures() {
         {"teapot-phong",
          "Newell's teapot, Phong shading.",
          {"teapot:10"}},
+        {"shadows",
+         "Two coloured lights, each with shadows of its own; where both are hidden, the ambient "
+         "light alone is left.",
+         {"teapot:6 --floor --shadows zfail --view 25,35 --zoom 0.75 --ambient 0.1 "
+          "--light point:-3,5,3,#d89050 --light point:4,6,2,#4070c0",
+          "teapot:6 --floor --shadows zfail --view 25,35 --zoom 0.75 --ambient 0.1 "
+          "--light point:-3,5,3,#d89050",
+          "teapot:6 --floor --shadows zfail --view 25,35 --zoom 0.75 --ambient 0.1 "
+          "--light point:4,6,2,#4070c0"}},
+        {"stencil",
+         "A shadow, and the stencil buffer that made it: in how many shadow volumes each surface "
+         "lies. The faces towards the light and those behind them count apart, and so does what "
+         "they shadow of each other.",
+         {"torus:24,12 --floor --shadows zfail --view 25,35 --zoom 0.7 --light point:3.5,1.6,-1",
+          "torus:24,12 --floor --show stencil --view 25,35 --zoom 0.7 --light point:3.5,1.6,-1"}},
+        {"zpass",
+         "The eye in a shadow. Counting from the eye to the surface begins at 0 and lights what "
+         "is dark; from infinity back to the surface (z-fail) it is right.",
+         {"cube --floor --eye 1.4,-0.2,-3 --target 4,-1,1 --fov 70 --shadows zpass-from-zero "
+          "--light point:-1,3,2.5",
+          "cube --floor --eye 1.4,-0.2,-3 --target 4,-1,1 --fov 70 --shadows zfail "
+          "--light point:-1,3,2.5"}},
         {"sphere-coarse",
          "A coarse sphere: its outline stays a polygon whatever the shading.",
          {"sphere:12,6 --shading flat",

@@ -5,6 +5,7 @@
 
 #include "apps/scanlight/stopwatch.h"
 #include "apps/scanlight/usage_error.h"
+#include "mesh/bounds.h"
 #include "mesh/load.h"
 #include "mesh/shapes.h"
 
@@ -43,7 +44,23 @@ void warn_of_normals(Model& model, const mesh::PolygonSoup& soup, const mesh::No
                              "; the mean of the faces' normals is taken instead");
 }
 
+/// Of the square -1 to 1: to the mesh's place and size.
+void lay_beneath(mesh::PolygonSoup& square, const mesh::Box& box) {
+    const glm::dvec3 size = box.high - box.low;
+    const double half = 2.0 * std::max({size.x, size.y, size.z});
+    for (glm::vec3& point : square.positions) {
+        point = glm::vec3(glm::dvec3(box.center().x, box.low.y, box.center().z) +
+                          half * glm::dvec3(point));
+    }
+}
+
 }  // namespace
+
+mesh::Mesh floor_beneath(const mesh::Mesh& mesh) {
+    mesh::PolygonSoup square = mesh::shape("plane:16");
+    lay_beneath(square, mesh::bounding_box(mesh));
+    return mesh::build(square, {}).mesh;
+}
 
 std::vector<std::string> warnings_of(const Model& model) {
     std::vector<std::string> warnings = model.warnings;

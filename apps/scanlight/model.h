@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace scanlight::apps {
 struct Model {
     std::string name;  // as given
     mesh::Mesh mesh;
+    std::optional<mesh::Mesh> floor;  // beneath it
     mesh::BuildReport report;
     std::vector<std::string> warnings;  // the reader's, and of normals that are missing
     double load_seconds = 0.0;
@@ -22,6 +24,10 @@ std::vector<std::string> warnings_of(const Model& model);
 
 /// "cube, tetrahedron, …"
 std::string shape_names();
+
+/// A square in the plane y = bottom of the mesh, with the mesh over its middle and four times as
+/// wide.
+mesh::Mesh floor_beneath(const mesh::Mesh& mesh);
 
 /// `input` is a file, "-" for standard input, or a built-in shape: "teapot", "torus:48,24". A file
 /// of that name comes first; "shape:teapot" is always the shape.

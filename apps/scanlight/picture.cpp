@@ -1,12 +1,16 @@
 #include "apps/scanlight/picture.h"
 
+#include "apps/scanlight/heat_map.h"
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <span>
 #include <utility>
 
 #include "raster/image_of.h"
 #include "render/draw.h"
+#include "render/shadows.h"
 #include "render/wireframe.h"
 
 namespace scanlight::apps {
@@ -87,6 +91,21 @@ raster::Image8 unpacked(const Picture::Bytes& color, raster::Alpha alpha) {
     return image;
 }
 
+/// The heat map of the stencil in the place of the colours.
+Picture stencil_picture(const render::Scene& scene, const SceneOptions& options) {
+    const raster::Image8 map = heat_map(draw_stencil(scene, options));
+    Picture picture;
+    auto& color = picture.color.emplace<Picture::Bytes>(options.size, 0);
+    for (int y = 0; y < map.height(); ++y) {
+        for (int x = 0; x < map.width(); ++x) {
+            const auto rgb = map.pixel(x, y);
+            color.at(x, y) = 0xff000000u | static_cast<raster::PackedPixel>(rgb[2]) << 16 |
+                             static_cast<raster::PackedPixel>(rgb[1]) << 8 | rgb[0];
+        }
+    }
+    return picture;
+}
+
 }  // namespace
 
 Picture draw_picture(const render::Scene& scene, const SceneOptions& options, const Means& means,
@@ -97,7 +116,8 @@ Picture draw_picture(const render::Scene& scene, const SceneOptions& options, co
     };
     switch (wireframe_of(options)) {
         case Wireframe::none:
-            return shaded(scene, options, means, wanted);
+            return options.show == Show::stencil ? stencil_picture(scene, options)
+                                                 : shaded(scene, options, means, wanted);
         case Wireframe::all:
             return with_edges(only_depth(), scene, options, shown);
         case Wireframe::hidden:
@@ -149,6 +169,24 @@ raster::Image8 ids_image(const raster::Plane<std::uint32_t>& ids) {
 raster::ImageF ids_float_image(const raster::Plane<std::uint32_t>& ids) {
     return raster::image_of<float>(
         ids, 1, [](auto pixel, std::uint32_t id) { pixel[0] = static_cast<float>(id); });
+}
+
+raster::Plane<std::int32_t> draw_stencil(const render::Scene& scene, const SceneOptions& options) {
+    render::Settings settings = options.settings;
+    if (settings.shadows == render::Shadows::none) settings.shadows = render::Shadows::zfail;
+    const render::Drawing drawing = render::draw_depth(scene, settings, options.size);
+    raster::Plane<std::int32_t> sum(options.size, 0);
+    for (std::size_t i = 0; i < scene.lighting.lights.size(); ++i) {
+        const auto counts = render::count_shadows(scene, settings, i, drawing.framebuffer.depth);
+        for (int y = 0; y < sum.height(); ++y)
+            std::ranges::transform(sum.row(y), counts.row(y), sum.row(y).begin(), std::plus<>{});
+    }
+    return sum;
+}
+
+raster::ImageF counts_float_image(const raster::Plane<std::int32_t>& counts) {
+    return raster::image_of<float>(
+        counts, 1, [](auto pixel, std::int32_t count) { pixel[0] = static_cast<float>(count); });
 }
 
 raster::ImageF float_image(const raster::Plane<float>& values) {

@@ -60,6 +60,13 @@ raster::ImageF normals_float_image(const raster::Plane<glm::vec3>& normals);
 raster::Image8 ids_image(const raster::Plane<std::uint32_t>& ids);
 raster::ImageF ids_float_image(const raster::Plane<std::uint32_t>& ids);
 
+/// How many shadow volumes each pixel's surface lies in, of all lights together, by the options'
+/// way to count; by z-fail where they name none.
+raster::Plane<std::int32_t> draw_stencil(const render::Scene& scene, const SceneOptions& options);
+
+/// Counts as floats.
+raster::ImageF counts_float_image(const raster::Plane<std::int32_t>& counts);
+
 /// One float a pixel.
 raster::ImageF float_image(const raster::Plane<float>& values);
 

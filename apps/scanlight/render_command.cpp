@@ -9,6 +9,7 @@
 
 #include "apps/scanlight/color_format.h"
 #include "apps/scanlight/commands.h"
+#include "apps/scanlight/heat_map.h"
 #include "apps/scanlight/help_heading.h"
 #include "apps/scanlight/picture.h"
 #include "apps/scanlight/print_data.h"
@@ -24,7 +25,7 @@ namespace scanlight::apps {
 
 namespace {
 
-enum class Aov { depth, normal, id };
+enum class Aov { depth, normal, id, stencil };
 
 struct AovOption {
     Aov kind;
@@ -48,11 +49,12 @@ AovOption parse_aov(const std::string& text) {
     const std::string kind = text.substr(0, colon);
     const std::string path = colon == std::string::npos ? "" : text.substr(colon + 1);
     const std::pair<std::string, Aov> kinds[] = {
-        {"depth", Aov::depth}, {"normal", Aov::normal}, {"id", Aov::id}};
+        {"depth", Aov::depth}, {"normal", Aov::normal}, {"id", Aov::id}, {"stencil", Aov::stencil}};
     for (const auto& [name, aov] : kinds) {
         if (kind == name && !path.empty()) return {aov, path};
     }
-    throw UsageError("aov '" + text + "': expected depth:PATH, normal:PATH or id:PATH");
+    throw UsageError("aov '" + text +
+                     "': expected depth:PATH, normal:PATH, id:PATH or stencil:PATH");
 }
 
 /// One of a list of words. The option's type lists them already.
@@ -76,8 +78,9 @@ void add_output_options(CLI::App& app, RenderOptions& options) {
                    options.aovs.push_back(parse_aov(text));
            },
            "another picture, repeatable: depth (16-bit PNG, or distance in PFM), normal\n"
-           "(colours, or PFM), id (polygon number in 24 bits, or PFM)")
-        ->type_name("depth|normal|id:PATH")
+           "(colours, or PFM), id (polygon number in 24 bits, or PFM), stencil (in how many\n"
+           "shadow volumes the surface lies, as a heat map, or PFM)")
+        ->type_name("depth|normal|id|stencil:PATH")
         ->allow_extra_args(false);
     app.add_option(
            "--stats", options.statistics,
@@ -150,6 +153,13 @@ raster::AnyImage id_image(const render::Scene& scene, const SceneOptions& option
     return ids_float_image(ids);
 }
 
+raster::AnyImage stencil_image(const render::Scene& scene, const SceneOptions& options,
+                               Samples samples) {
+    const auto counts = draw_stencil(scene, options);
+    if (samples == Samples::bytes) return heat_map(counts);
+    return counts_float_image(counts);
+}
+
 raster::AnyImage aov_image(Aov kind, Samples samples, const render::Scene& scene,
                            const SceneOptions& options, const Picture& picture) {
     switch (kind) {
@@ -159,6 +169,8 @@ raster::AnyImage aov_image(Aov kind, Samples samples, const render::Scene& scene
             return normal_image(scene, options, samples);
         case Aov::id:
             return id_image(scene, options, samples);
+        case Aov::stencil:
+            return stencil_image(scene, options, samples);
     }
     return {};
 }
@@ -172,6 +184,11 @@ void save_aov(const AovOption& aov, const render::Scene& scene, const SceneOptio
 
 void check_format(const RenderOptions& options) {
     const auto format = format_of(options);
+    if (options.scene.show == Show::stencil && raster::holds_floats(format)) {
+        throw UsageError(options.output +
+                         ": a heat map is a picture of bytes; the counts as floats are --aov "
+                         "stencil:PATH.pfm");
+    }
     if (options.scene.background || raster::holds_alpha(format)) return;
     throw UsageError(options.output +
                      ": this format holds no alpha channel for --background none; PNG does, as "

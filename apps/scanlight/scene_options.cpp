@@ -47,6 +47,10 @@ void add_picture_options(CLI::App& app, SceneOptions& o) {
     add_choice(app, "--sides", o.settings.sides, "light the front only, or the side that is seen");
     add_choice(app, "--distances", o.settings.distances,
                "eye and lights at their places, or at infinity as in the textbook");
+    add_choice(
+        app, "--shadows", o.settings.shadows,
+        "shadow volumes, counted to the surface (zpass) or behind it (zfail); from zero shows\n"
+        "the classic mistake of an eye in a shadow");
 }
 
 void add_mesh_options(CLI::App& app, SceneOptions& o) {
@@ -159,6 +163,9 @@ void add_canvas_options(CLI::App& app, SceneOptions& o) {
                      o.background = parse_color(text);
                  }
              });
+    add_choice(app, "--show", o.show,
+               "the light, or in how many shadow volumes each surface lies, as a heat map");
+    app.add_flag("--floor", o.floor, "a white floor beneath the mesh, four times as wide");
     app.add_flag(
         "--wireframe{all}", o.wireframe_word,
         "draw edges: =all (or no word), =hidden (without the hidden ones), =over (over the\n"

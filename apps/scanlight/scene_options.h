@@ -21,6 +21,9 @@ enum class Polygons { bilinear, triangulated };
 /// Which polygon edges are drawn, beside the shading.
 enum class Wireframe { none, all, hidden, over };
 
+/// What the colours of a picture mean.
+enum class Show { light, stencil };
+
 /// All that says what a picture shows, apart from the file it goes to. One table of options serves
 /// `render`, `steps` and the figures.
 struct SceneOptions {
@@ -28,6 +31,7 @@ struct SceneOptions {
     raster::Viewport size{640, 480};
     render::Settings settings;
     std::string wireframe_word;  // "", all, hidden or over
+    Show show = Show::light;
     Polygons polygons = Polygons::bilinear;
     mesh::NormalRule normals;
     render::ViewAngles view;
@@ -41,6 +45,7 @@ struct SceneOptions {
     float falloff_k = 1.0f;
     glm::vec3 ambient{0.15f};
     std::string material;
+    bool floor = false;
     std::optional<glm::vec3> background{glm::vec3(0.807f, 0.831f, 0.871f)};  // none: transparent
 };
 

@@ -23,6 +23,10 @@ shading::Material<float> clay() {
     return {color, color, glm::vec3(0.4f), 40.0};
 }
 
+shading::Material<float> white() {
+    return {glm::vec3(0.8f), glm::vec3(0.8f), glm::vec3(0.0f), 1.0};
+}
+
 bool has_own_materials(const mesh::Mesh& mesh) {
     return mesh.materials.size() > 1 || !mesh.materials.front().name.empty();
 }
@@ -105,6 +109,7 @@ shading::Lighting<float> lighting_of(const render::Camera& camera, const SceneOp
 Model load_model(const SceneOptions& options) {
     Model model = load_model(options.input, options.normals);
     if (options.polygons == Polygons::triangulated) model.mesh = mesh::triangulated(model.mesh);
+    if (options.floor) model.floor = floor_beneath(model.mesh);
     return model;
 }
 
@@ -112,6 +117,12 @@ render::Scene scene_of(const Model& model, const SceneOptions& options) {
     render::Scene scene;
     scene.objects.push_back({&model.mesh, materials_of(model.mesh, options)});
     scene.camera = camera_of(scene.objects, options);
+    if (model.floor) {
+        scene.objects.push_back({&*model.floor, {white()}});
+        scene.camera = render::with_fitted_planes(scene.camera, scene.objects);
+    }
+    if (options.settings.shadows != render::Shadows::none)
+        scene.camera = render::with_room_for_shadows(scene.camera);
     scene.lighting = lighting_of(scene.camera, options);
     scene.background =
         options.background ? raster::Rgba(*options.background, 1.0f) : raster::Rgba(0.0f);

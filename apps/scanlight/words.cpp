@@ -37,6 +37,17 @@ Words<render::Distances> words_beside(render::Distances) {
     return {{"finite", finite}, {"infinite", infinite}};
 }
 
+Words<render::Shadows> words_beside(render::Shadows) {
+    using enum render::Shadows;
+    return {
+        {"none", none}, {"zpass", zpass}, {"zpass-from-zero", zpass_from_zero}, {"zfail", zfail}};
+}
+
+Words<Show> words_beside(Show) {
+    using enum Show;
+    return {{"light", light}, {"stencil", stencil}};
+}
+
 Words<mesh::NormalWeight> words_beside(mesh::NormalWeight) {
     using enum mesh::NormalWeight;
     return {{"mean", mean}, {"area", area}, {"angle", angle}, {"file", file}};

@@ -23,6 +23,8 @@ Words<render::Perspective> words_beside(render::Perspective);
 Words<render::Cull> words_beside(render::Cull);
 Words<render::Sides> words_beside(render::Sides);
 Words<render::Distances> words_beside(render::Distances);
+Words<render::Shadows> words_beside(render::Shadows);
+Words<Show> words_beside(Show);
 Words<mesh::NormalWeight> words_beside(mesh::NormalWeight);
 Words<render::Projection> words_beside(render::Projection);
 Words<DrawPath> words_beside(DrawPath);
