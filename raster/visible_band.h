@@ -16,6 +16,8 @@ namespace scanlight::raster {
 /// polygon's.
 inline constexpr std::int32_t no_item = -1;
 
+inline constexpr Depth behind_everything = 0x7fffffff;
+
 /// How much a pass had to do.
 struct PixelCounts {
     std::size_t spans = 0;
@@ -27,6 +29,9 @@ struct PixelCounts {
         tested += other.tested;
         passed += other.passed;
         return *this;
+    }
+    friend PixelCounts operator-(const PixelCounts& a, const PixelCounts& b) {
+        return {a.spans - b.spans, a.tested - b.tested, a.passed - b.passed};
     }
 };
 
@@ -69,6 +74,8 @@ public:
         }
         seen_ = {width, 0};
         rows_ = rows;
+        farthest_ = behind_everything;
+        passed_before_ = counts_.passed;
     }
 
     /// No pixel is of any item: the first of the numbers kept.
@@ -95,6 +102,19 @@ public:
     }
     /// Nothing is seen in other columns.
     Columns touched() const { return seen_; }
+
+    /// Nothing that is seen lies farther. Depths only come nearer: once found, this holds on.
+    Depth farthest() const { return farthest_; }
+    /// Whether it may have come nearer since it was found.
+    bool farthest_may_change() const { return counts_.passed != passed_before_; }
+    void set_farthest(Depth depth) {
+        farthest_ = depth;
+        passed_before_ = counts_.passed;
+    }
+    std::size_t pixels() const {
+        return static_cast<std::size_t>(width_) *
+               static_cast<std::size_t>(rows_.y_end - rows_.y_begin);
+    }
 
     /// Of all that was drawn into it, over its whole life.
     PixelCounts& counts() { return counts_; }
@@ -134,6 +154,8 @@ private:
     std::ptrdiff_t plane_ = 0;
     std::vector<std::int32_t> memory_;
     PixelCounts counts_;
+    Depth farthest_ = behind_everything;
+    std::size_t passed_before_ = 0;  // before it was found
 };
 
 }  // namespace scanlight::raster

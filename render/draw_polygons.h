@@ -16,7 +16,7 @@ struct DrawCounts {
     std::size_t culled = 0;
     std::size_t drawn = 0;
     std::size_t spans = 0;
-    std::size_t pixels_tested = 0;
+    std::size_t pixels_tested = 0;  // by the fast path: without those of polygons hidden whole
     std::size_t pixels_passed = 0;
     std::size_t pixels_shaded = 0;  // lit; where lighting waits, each pixel once
 

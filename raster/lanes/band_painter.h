@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raster/lane_path.h"
+#include "raster/lanes/hidden.h"
 #include "raster/lanes/large_triangle.h"
 #include "raster/lanes/small_triangle.h"
 #include "raster/lanes/tiny_triangle.h"
@@ -50,10 +51,10 @@ private:
 
     /// By its size.
     void draw_lane(int lane, FaceItem item) {
+        if (is_hidden(streams_, item & face_mask, band_)) return;
         const auto is = [lane](std::uint32_t bits) { return (bits >> lane & 1) != 0; };
         if ((item & walk_flag) != 0 || !is(prepared_.planar)) {
-            walked_ = own_[lane];
-            walker_.draw(item, *this);
+            draw_walked(lane, item);
         } else if (is(prepared_.tiny)) {
             draw_tiny(lane);
         } else if (is(prepared_.small)) {
@@ -92,6 +93,13 @@ private:
 
     void draw_tiny(int lane) { note(lane, HWY_NAMESPACE::draw_tiny(triangle(lane), waiting_)); }
 
+    void draw_walked(int lane, FaceItem item) {
+        const PixelCounts before = band_.counts();
+        walked_ = own_[lane];
+        walker_.draw(item, *this);
+        look_behind(band_, band_.counts() - before);
+    }
+
     // What is drawn by vectors may lie before what waits.
 
     void draw_small(int lane) {
@@ -105,7 +113,9 @@ private:
             return ScreenPoint{streams_.x[i], streams_.y[i]};
         };
         LargeTriangle<Keep> large(triangle(lane), {corner(v[0]), corner(v[1]), corner(v[2])});
-        note(lane, large.draw());
+        const PixelCounts drawn = large.draw();
+        note(lane, drawn);
+        look_behind(band_, drawn);
     }
     void note(int lane, PixelCounts pixels) {
         band_.touch(prepared_.x_begin[lane], prepared_.x_end[lane]);

@@ -46,7 +46,7 @@ void expect_same_counts(const render::DrawCounts& walk, const render::DrawCounts
     EXPECT_EQ(walk.outside, fast.outside);
     EXPECT_EQ(walk.culled, fast.culled);
     EXPECT_EQ(walk.drawn, fast.drawn);
-    EXPECT_EQ(walk.pixels_tested, fast.pixels_tested);
+    EXPECT_GE(walk.pixels_tested, fast.pixels_tested);  // what is hidden whole is not tested
     EXPECT_EQ(walk.pixels_passed, fast.pixels_passed);
 }
 

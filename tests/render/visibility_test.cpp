@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "render/renderer.h"
 #include "tests/render/scenes.h"
 
 namespace scanlight::render {
@@ -322,6 +323,38 @@ TEST(DrawCounts, OfOneSquareAreItsPixels) {
     EXPECT_EQ(counts.spans, 32u);
     EXPECT_EQ(counts.pixels_tested, 1024u);
     EXPECT_EQ(counts.pixels_passed, 1024u);
+}
+
+enum class Order { front_to_back, back_to_front };
+
+// Eight squares that fill the picture, one behind the other.
+Drawing draw_layers(const mesh::Mesh& square, Order order, Renderer& renderer, DrawCounts& fast) {
+    const raster::Viewport viewport{64, 96};
+    Scene scene = scene_of(square, {{0.0, 90.0}, viewport, Projection::orthographic});
+    scene.camera.magnification = 1.2;
+    scene.camera.far += 1.0;
+    scene.objects.assign(8, scene.objects.front());
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        scene.objects[i].world_from_object[3][1] =
+            -0.05 * static_cast<double>(order == Order::front_to_back ? i : 7 - i);
+    raster::Plane<raster::Rgba> color(viewport, scene.background);
+    fast = renderer.draw(scene, {}, color).counts;
+    Drawing walk = draw(scene, {}, viewport);
+    EXPECT_EQ(walk.framebuffer.color, color);
+    return walk;
+}
+
+TEST(DrawCounts, OfTheFastPathLeaveOutWhatIsHiddenWhole) {
+    for (const auto& square : {shape_mesh("plane:1"), mesh::triangulated(shape_mesh("plane:1"))}) {
+        Renderer renderer;
+        DrawCounts fast;
+        const DrawCounts walk = draw_layers(square, Order::front_to_back, renderer, fast).counts;
+        EXPECT_LT(fast.pixels_tested, walk.pixels_tested / 2);
+        EXPECT_EQ(fast.pixels_passed, walk.pixels_passed);
+        const DrawCounts backwards =
+            draw_layers(square, Order::back_to_front, renderer, fast).counts;
+        EXPECT_EQ(fast.pixels_tested, backwards.pixels_tested);
+    }
 }
 
 TEST(DrawCounts, AreSummedOverTheObjects) {
