@@ -8,55 +8,52 @@ namespace scanlight::mesh {
 
 namespace {
 
-struct Outline {
+std::vector<glm::vec3> corners_of(const Mesh& mesh, std::size_t face) {
     std::vector<glm::vec3> corners;
-
-    void read(const Mesh& mesh, std::size_t face) {
-        corners.clear();
-        for (const std::uint32_t v : mesh.face(face))
-            corners.push_back(mesh.vertices.position(v));
-    }
-
-    glm::dvec3 centre() const {
-        glm::dvec3 sum(0.0);
-        for (const glm::vec3& corner : corners)
-            sum += glm::dvec3(corner);
-        return sum / static_cast<double>(corners.size());
-    }
-};
-
-Facing sign_of(double distance) {
-    if (distance > 0.0) return Facing::front;
-    return distance < 0.0 ? Facing::back : Facing::edge_on;
+    for (const std::uint32_t v : mesh.face(face))
+        corners.push_back(mesh.vertices.position(v));
+    return corners;
 }
 
-Facing facing_of(const Outline& face, const glm::dvec4& viewpoint) {
-    // Seen from a corner, not from the origin: far from it a small face keeps its side.
-    const glm::dvec3 centre =
-        face.corners.size() == 3 ? glm::dvec3(face.corners.front()) : face.centre();
-    return sign_of(
-        glm::dot(area_vector(face.corners), glm::dvec3(viewpoint) - viewpoint.w * centre));
+glm::dvec3 mean(const std::vector<glm::vec3>& points) {
+    glm::dvec3 sum(0.0);
+    for (const glm::vec3& point : points)
+        sum += glm::dvec3(point);
+    return sum / static_cast<double>(points.size());
+}
+
+Facing sign_of(double distance) {
+    return static_cast<Facing>((distance > 0.0 ? 1 : 0) - (distance < 0.0 ? 1 : 0));
 }
 
 }  // namespace
 
-std::vector<Facing> facing(const Mesh& mesh, const glm::dvec4& viewpoint) {
-    std::vector<Facing> result(mesh.face_count());
-    Outline outline;
+SilhouetteFinder::SilhouetteFinder(const Mesh& mesh) : edges_(edges_of(mesh)) {
+    planes_.reserve(mesh.face_count());
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        const auto corners = corners_of(mesh, f);
+        const glm::dvec3 normal = area_vector(corners);
+        const glm::dvec3 point = corners.size() == 3 ? glm::dvec3(corners.front()) : mean(corners);
+        planes_.push_back({normal, glm::dot(normal, point)});
+    }
+}
+
+std::vector<Facing> SilhouetteFinder::facing(const glm::dvec4& viewpoint) const {
+    std::vector<Facing> result(planes_.size());
     for (std::size_t f = 0; f < result.size(); ++f) {
-        outline.read(mesh, f);
-        result[f] = facing_of(outline, viewpoint);
+        const auto& [normal, offset] = planes_[f];
+        result[f] = sign_of(glm::dot(normal, glm::dvec3(viewpoint)) - viewpoint.w * offset);
     }
     return result;
 }
 
-std::vector<SilhouetteEdge> silhouette(const Edges& edges, const std::vector<Facing>& facing) {
-    std::vector<SilhouetteEdge> result;
-    for (std::size_t e = 0; e < edges.size(); ++e) {
+Silhouette SilhouetteFinder::from(const glm::dvec4& viewpoint) const {
+    Silhouette result{facing(viewpoint), {}};
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
         std::int32_t multiplicity = 0;
-        for (const auto& [face, direction] : edges.uses_of(e))
-            multiplicity += direction * static_cast<std::int32_t>(facing[face]);
-        if (multiplicity != 0) result.push_back({edges.from[e], edges.to[e], multiplicity});
+        for (const auto& [face, direction] : edges_.uses_of(e))
+            multiplicity += direction * static_cast<std::int32_t>(result.facing[face]);
+        if (multiplicity != 0) result.edges.push_back({edges_.from[e], edges_.to[e], multiplicity});
     }
     return result;
 }

@@ -60,6 +60,13 @@ void clip_volume_face(const BareClipPolygon& face, Deep deep, const Viewport& vi
     visit(project_at(clip(beyond, side_planes), viewport, depth_beyond));
 }
 
+/// Calls `visit` with the triangles of the fan about the first corner.
+template <class Polygon, class Visit>
+void for_each_triangle(const Polygon& polygon, Visit&& visit) {
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+        visit(Polygon{polygon[0], polygon[i - 1], polygon[i]});
+}
+
 /// The points at which the outline of a face goes through the near plane: out and in again in turn,
 /// beginning with a way out.
 inline BareClipPolygon near_crossings(const BareClipPolygon& face) {

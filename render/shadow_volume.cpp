@@ -1,7 +1,5 @@
 #include "render/shadow_volume.h"
 
-#include <algorithm>
-
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 
@@ -17,33 +15,13 @@ double w_of_ends(const Frame& frame) {
     return frame.is_parallel() ? 0x1p-20 : 0.0;
 }
 
-/// Away from the light, as far as it goes.
-std::vector<glm::vec4> ends_of(const Object& object, const glm::dvec4& light, const Frame& frame) {
-    const mesh::Vertices& vertices = object.mesh->vertices;
-    const double w = w_of_ends(frame);
-    std::vector<glm::vec4> result;
-    result.reserve(vertices.size());
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const glm::dvec3 point(
-            transformed_point(object.world_from_object, glm::dvec3(vertices.position(i))));
-        const glm::dvec3 away = light.w * point - glm::dvec3(light);
-        result.emplace_back(frame.clip_from_world * glm::dvec4(away + w * point, w));
-    }
-    return result;
-}
-
-bool is_beyond_far(const glm::vec4& position) {
-    return raster::distance(position, raster::ClipPlane::far) < 0.0f;
-}
-
 /// Points at infinity have a depth that the format can tell.
 bool tells_infinity(const Frame& frame) {
     // z = a w + b in perspective, which is a w at infinity.
-    const glm::dvec4 z_row = glm::row(frame.clip_from_world, 2);
-    const glm::dvec4 w_row = glm::row(frame.clip_from_world, 3);
-    const double z = glm::dot(glm::dvec3(z_row), glm::dvec3(w_row));
-    const double w = glm::dot(glm::dvec3(w_row), glm::dvec3(w_row));
-    return !frame.is_parallel() && z < raster::deepest_ndc * w;
+    const glm::dvec3 z_row(glm::row(frame.clip_from_world, 2));
+    const glm::dvec3 w_row(glm::row(frame.clip_from_world, 3));
+    return !frame.is_parallel() &&
+           glm::dot(z_row, w_row) < raster::deepest_ndc * glm::dot(w_row, w_row);
 }
 
 }  // namespace
@@ -53,16 +31,54 @@ glm::dvec4 homogeneous(const shading::Light<float>& light) {
     return {glm::dvec3(light.place), has_place ? 1.0 : 0.0};
 }
 
-ShadowVolume::ShadowVolume(const Object& object, const PlacedMesh& placed, const mesh::Edges& edges,
+raster::Deep deep_for(const Frame& frame, bool beyond_far) {
+    return tells_infinity(frame) && !beyond_far ? raster::Deep::reaches : raster::Deep::splits;
+}
+
+ShadowVolume::ShadowVolume(const Object& object, const mesh::SilhouetteFinder& finder,
                            const glm::dvec4& light, const Frame& frame)
-    : placed_(placed),
-      facing_(mesh::facing(*object.mesh, glm::inverse(object.world_from_object) * light)),
-      silhouette_(mesh::silhouette(edges, facing_)),
-      ends_(ends_of(object, light, frame)),
-      ends_in_one_point_(light.w == 0.0 && !frame.is_parallel()),
-      orientation_(placed.mirrored ? -1 : 1),
-      deep_(tells_infinity(frame) && std::ranges::none_of(placed.clip, is_beyond_far)
-                ? raster::Deep::reaches
-                : raster::Deep::splits) {}
+    : mesh_(*object.mesh),
+      world_from_object_(object.world_from_object),
+      clip_from_world_(frame.clip_from_world),
+      clip_from_object_(frame.clip_from_world * object.world_from_object),
+      light_(light),
+      w_of_ends_(w_of_ends(frame)),
+      ends_in_one_point_(light.w == 0.0 && w_of_ends_ == 0.0),
+      orientation_(glm::determinant(glm::dmat3(object.world_from_object)) < 0.0 ? -1 : 1),
+      silhouette_(finder.from(glm::inverse(object.world_from_object) * light)) {}
+
+ShadowVolume::Polygon ShadowVolume::cap(std::size_t face) const {
+    Polygon corners;
+    for (const std::uint32_t vertex : mesh_.face(face))
+        corners.push_back(corner(vertex));
+    return corners;
+}
+
+ShadowVolume::Polygon ShadowVolume::end_cap(std::size_t face) const {
+    Polygon corners;
+    for (const std::uint32_t vertex : mesh_.face(face))
+        corners.push_back(end(vertex));
+    return corners;
+}
+
+ShadowVolume::Polygon ShadowVolume::side(const mesh::SilhouetteEdge& edge) const {
+    Polygon corners{corner(edge.to), corner(edge.from), end(edge.from)};
+    if (!ends_in_one_point_) corners.push_back(end(edge.to));
+    return corners;
+}
+
+/// By the steps of all vertices, so that a cap lies where its faces are drawn, to the bit.
+raster::ClipVertex<0> ShadowVolume::corner(std::uint32_t vertex) const {
+    const glm::dvec3 position(mesh_.vertices.position(vertex));
+    return {glm::vec4(transformed_point(clip_from_object_, position)), {}};
+}
+
+/// Away from the light, as far as it goes.
+raster::ClipVertex<0> ShadowVolume::end(std::uint32_t vertex) const {
+    const glm::dvec3 position(mesh_.vertices.position(vertex));
+    const glm::dvec3 point(transformed_point(world_from_object_, position));
+    const glm::dvec3 away = light_.w * point - glm::dvec3(light_);
+    return {glm::vec4(clip_from_world_ * glm::dvec4(away + w_of_ends_ * point, w_of_ends_)), {}};
+}
 
 }  // namespace scanlight::render

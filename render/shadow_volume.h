@@ -6,11 +6,9 @@
 
 #include <glm/vec4.hpp>
 
-#include "mesh/edges.h"
 #include "mesh/silhouette.h"
 #include "raster/clip_volume.h"
 #include "render/frame.h"
-#include "render/placed_mesh.h"
 
 namespace scanlight::render {
 
@@ -18,67 +16,58 @@ namespace scanlight::render {
 /// (w = 0).
 glm::dvec4 homogeneous(const shading::Light<float>& light);
 
+/// How a surface goes on beyond the far plane so that depth can tell its ends; `beyond_far` says
+/// whether any vertex lies there.
+raster::Deep deep_for(const Frame& frame, bool beyond_far);
+
 /// The shadow volumes of all faces of an object together: a closed surface round the points that
 /// the object hides from a light (Crow 1977, "Shadow algorithms for computer graphics", SIGGRAPH).
 /// It begins with a cap, the faces themselves, all turned to the light; sides go from the edges
-/// that are left over (see `mesh::silhouette`) away from the light to infinity, where an end closes
-/// it. Points at infinity are homogeneous points with w = 0.
+/// that are left over (see `mesh::SilhouetteFinder`) away from the light to infinity, where the
+/// faces stand once more and close it. Points at infinity are homogeneous points with w = 0.
 class ShadowVolume {
 public:
-    ShadowVolume(const Object& object, const PlacedMesh& placed, const mesh::Edges& edges,
+    ShadowVolume(const Object& object, const mesh::SilhouetteFinder& finder,
                  const glm::dvec4& light, const Frame& frame);
 
-    /// Calls `visit(corners, count, deep)` for each face, in clip space. Counter-clockwise corners
-    /// show its outside; `count` is how often it is there, less than 0 where its inside is shown.
+    /// Calls `visit(corners, count, at_end)` with the faces of both caps, in clip space.
+    /// Counter-clockwise corners show the outside; `count` is how often a face is there, less than
+    /// 0 where its inside is shown. Those at the end lie behind everything.
     template <class Visit>
-    void for_each_face(Visit&& visit) const {
-        for (std::size_t f = 0; f < facing_.size(); ++f)
-            visit_caps(f, visit);
-        for (const mesh::SilhouetteEdge& edge : silhouette_)
-            visit_side(edge, visit);
+    void for_each_cap(Visit&& visit) const {
+        for (std::size_t f = 0; f < silhouette_.facing.size(); ++f) {
+            const auto facing = static_cast<std::int32_t>(silhouette_.facing[f]);
+            if (facing == 0) continue;
+            visit(cap(f), orientation_ * facing, false);
+            if (!ends_in_one_point_) visit(end_cap(f), -orientation_ * facing, true);
+        }
+    }
+
+    /// The sides have three or four corners: calls `visit(corners, count)`.
+    template <class Visit>
+    void for_each_side(Visit&& visit) const {
+        for (const mesh::SilhouetteEdge& edge : silhouette_.edges)
+            visit(side(edge), orientation_ * edge.multiplicity);
     }
 
 private:
     using Polygon = raster::BareClipPolygon;
 
-    /// The face itself, and its image at the end.
-    template <class Visit>
-    void visit_caps(std::size_t face, Visit& visit) const {
-        if (facing_[face] == mesh::Facing::edge_on) return;
-        const std::int32_t count = orientation_ * static_cast<std::int32_t>(facing_[face]);
-        visit(polygon_of(face, placed_.clip), count, deep_);
-        if (!ends_in_one_point_) visit(polygon_of(face, ends_), -count, raster::Deep::beyond);
-    }
+    Polygon cap(std::size_t face) const;
+    Polygon end_cap(std::size_t face) const;
+    Polygon side(const mesh::SilhouetteEdge& edge) const;
+    raster::ClipVertex<0> corner(std::uint32_t vertex) const;
+    raster::ClipVertex<0> end(std::uint32_t vertex) const;
 
-    template <class Visit>
-    void visit_side(const mesh::SilhouetteEdge& edge, Visit& visit) const {
-        const std::int32_t count = orientation_ * edge.multiplicity;
-        const auto from = corner(placed_.clip, edge.from);
-        const auto to = corner(placed_.clip, edge.to);
-        const auto end_from = corner(ends_, edge.from);
-        const auto end_to = corner(ends_, edge.to);
-        visit(Polygon{to, from, end_from}, count, deep_);
-        if (!ends_in_one_point_) visit(Polygon{to, end_from, end_to}, count, deep_);
-    }
-
-    static raster::ClipVertex<0> corner(const std::vector<glm::vec4>& positions,
-                                        std::uint32_t vertex) {
-        return {positions[vertex], {}};
-    }
-    Polygon polygon_of(std::size_t face, const std::vector<glm::vec4>& positions) const {
-        Polygon corners;
-        for (const std::uint32_t vertex : placed_.mesh->face(face))
-            corners.push_back(corner(positions, vertex));
-        return corners;
-    }
-
-    const PlacedMesh& placed_;
-    std::vector<mesh::Facing> facing_;
-    std::vector<mesh::SilhouetteEdge> silhouette_;
-    std::vector<glm::vec4> ends_;  // where each vertex's shadow ends, clip space
-    bool ends_in_one_point_;       // all of them
-    std::int32_t orientation_;     // -1 where the placing mirrors
-    raster::Deep deep_;            // the same for all faces, or the surface gaped
+    const mesh::Mesh& mesh_;
+    glm::dmat4 world_from_object_;
+    glm::dmat4 clip_from_world_;
+    glm::dmat4 clip_from_object_;
+    glm::dvec4 light_;
+    double w_of_ends_;
+    bool ends_in_one_point_;    // all shadows
+    std::int32_t orientation_;  // -1 where the placing mirrors
+    mesh::Silhouette silhouette_;
 };
 
 }  // namespace scanlight::render

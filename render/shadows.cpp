@@ -1,5 +1,6 @@
 #include "render/shadows.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "render/shadow_volume.h"
@@ -18,17 +19,28 @@ public:
                   const raster::Plane<raster::Depth>& depth, Counts& counts)
         : method_(method), viewport_(viewport), depth_(depth), counts_(counts) {}
 
-    void add(const ShadowVolume& volume) {
-        volume.for_each_face(
-            [&](const raster::BareClipPolygon& face, std::int32_t count, raster::Deep deep) {
-                const auto visit = [&](const auto& part) { fill(part, count); };
-                raster::clip_volume_face(face, deep, viewport_, visit);
-                // The count does not begin at 0 where the eye is in a volume.
-                if (method_ == Shadows::zpass) raster::near_section(face, viewport_, visit);
+    void add(const ShadowVolume& volume, raster::Deep deep) {
+        volume.for_each_cap([&](const auto& face, std::int32_t count, bool at_end) {
+            add(face, at_end ? raster::Deep::beyond : deep,
+                [&](const auto& part) { fill(part, count); });
+        });
+        volume.for_each_side([&](const auto& face, std::int32_t count) {
+            raster::for_each_triangle(face, [&](const auto& triangle) {
+                add(triangle, deep, [&](const auto& part) {
+                    raster::for_each_triangle(part, [&](const auto& piece) { fill(piece, count); });
+                });
             });
+        });
     }
 
 private:
+    template <class Fill>
+    void add(const raster::BareClipPolygon& face, raster::Deep deep, Fill&& fill) {
+        raster::clip_volume_face(face, deep, viewport_, fill);
+        // The count does not begin at 0 where the eye is in a volume.
+        if (method_ == Shadows::zpass) raster::near_section(face, viewport_, fill);
+    }
+
     void fill(const raster::BareScreenPolygon& polygon, std::int32_t count) {
         filler_.fill(std::span(polygon), raster::Interpolation::planar,
                      [&](const raster::Span<0>& span) { tally(span, span.winding * count); });
@@ -49,6 +61,12 @@ private:
     Counts& counts_;
     raster::PolygonFiller<0, raster::FillRule::winding> filler_;
 };
+
+bool reaches_beyond_far(const PlacedMesh& caster) {
+    return std::ranges::any_of(caster.clip, [](const glm::vec4& position) {
+        return raster::distance(position, raster::ClipPlane::far) < 0.0f;
+    });
+}
 
 /// The same scene in other light.
 Scene lit_by(Scene scene, shading::Lighting<float> lighting) {
@@ -78,10 +96,9 @@ Counts count_shadows(const Scene& scene, const Settings& settings, std::size_t l
     Counts counts(viewport, 0);
     ShadowCounter counter(settings.shadows, viewport, depth, counts);
     for (const Object& object : scene.objects) {
-        const PlacedMesh caster = placed(object, frame);
-        const mesh::Edges edges = mesh::edges_of(*object.mesh);
-        counter.add(
-            ShadowVolume(object, caster, edges, homogeneous(frame.lighting.lights[light]), frame));
+        const ShadowVolume volume(object, mesh::SilhouetteFinder(*object.mesh),
+                                  homogeneous(frame.lighting.lights[light]), frame);
+        counter.add(volume, deep_for(frame, reaches_beyond_far(placed(object, frame))));
     }
     return counts;
 }

@@ -27,7 +27,7 @@ Mesh of_triangles(const std::vector<glm::vec3>& corners) {
 }
 
 std::vector<SilhouetteEdge> silhouette_of(const Mesh& mesh, const glm::dvec4& viewpoint) {
-    return silhouette(edges_of(mesh), facing(mesh, viewpoint));
+    return SilhouetteFinder(mesh).from(viewpoint).edges;
 }
 
 TEST(Edges, OfACubeAreTwelveWithTwoFacesEach) {
@@ -42,7 +42,7 @@ TEST(Edges, OfACubeAreTwelveWithTwoFacesEach) {
 
 TEST(Facing, OfACubeSeenAlongAnAxisIsOneFrontAndOneBack) {
     int count[3] = {};
-    for (const Facing face : facing(shape_mesh("cube"), {0.0, 0.0, 1.0, 0.0}))
+    for (const Facing face : SilhouetteFinder(shape_mesh("cube")).from({0.0, 0.0, 1.0, 0.0}).facing)
         ++count[static_cast<int>(face) + 1];
     EXPECT_EQ(count[0], 1);
     EXPECT_EQ(count[1], 4);
