@@ -23,6 +23,7 @@ void BandDrawer::begin() {
 }
 
 void BandDrawer::draw(const Picture& picture, int width, raster::Rows rows, int number) {
+    if (picture.settings.shadows != Shadows::none) find_shadows(picture, width, rows, number);
     const bool at_once = lights_at_once(picture.settings, picture.target);
     int kept = 1;
     for (const ObjectPass& pass : picture.passes)
@@ -32,6 +33,20 @@ void BandDrawer::draw(const Picture& picture, int width, raster::Rows rows, int 
     if (picture.depth != nullptr) copy_depth(*picture.depth);
 }
 
+/// What is seen comes first, without its light; it is not counted.
+void BandDrawer::find_shadows(const Picture& picture, int width, raster::Rows rows, int number) {
+    const raster::PixelCounts before = band_.counts();
+    band_.clear(width, rows, 1);
+    for (const ObjectPass& pass : picture.passes) {
+        Walker walker(pass, walks_, rows);
+        for (const raster::Bin& bin : pass.bins) {
+            picture.path.raster->draw_items(pass.polygons, bin.band(number), band_, walker);
+        }
+    }
+    shadows_.find(picture.passes, band_, number);
+    band_.counts() = before;
+}
+
 void BandDrawer::draw_lit(const Picture& picture, int number) {
     for (const ObjectPass& pass : picture.passes)
         shaded_ += see(picture, pass, number);
@@ -39,11 +54,12 @@ void BandDrawer::draw_lit(const Picture& picture, int number) {
 }
 
 void BandDrawer::draw_then_light(const Picture& picture, int number) {
+    const ShadowBand* shadows = picture.settings.shadows == Shadows::none ? nullptr : &shadows_;
     Background background = Background::drawn;
     for (const ObjectPass& pass : picture.passes) {
         band_.forget_items();
         if (see(picture, pass, number) == 0) continue;
-        shaded_ += picture.path.light_band(pass, band_, row_, picture.target, background);
+        shaded_ += picture.path.light_band(pass, band_, shadows, row_, picture.target, background);
         background = Background::kept;
     }
     if (background == Background::drawn) fill_rows(picture.target, band_.rows());

@@ -32,9 +32,12 @@ public:
     void draw(const Picture& picture, int width, raster::Rows rows, int number);
 
     void add_to(DrawCounts& counts) const;
-    std::size_t bytes() const { return band_.bytes() + row_.bytes() + raster::bytes_held(items_); }
+    std::size_t bytes() const {
+        return band_.bytes() + shadows_.bytes() + row_.bytes() + raster::bytes_held(items_);
+    }
 
 private:
+    void find_shadows(const Picture& picture, int width, raster::Rows rows, int number);
     void draw_lit(const Picture& picture, int number);
     void draw_then_light(const Picture& picture, int number);
     std::size_t see(const Picture& picture, const ObjectPass& pass, int number);
@@ -43,6 +46,7 @@ private:
     void copy_depth(raster::Plane<raster::Depth>& to);
 
     raster::VisibleBand band_;
+    ShadowBand shadows_;
     VectorStreams row_;  // colours of a row of pixels
     WalkMemories walks_;
     std::vector<raster::FaceItem> items_;

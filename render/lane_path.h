@@ -6,6 +6,7 @@
 
 #include "raster/lane_path.h"
 #include "render/object_pass.h"
+#include "render/shadow_band.h"
 
 namespace scanlight::render {
 
@@ -30,9 +31,9 @@ struct LanePath {
 
     /// Illuminates each pixel of the band that is of an item, by what it keeps, and stores it.
     /// Returns how many there were. With `Background::drawn` all others become background. `row` is
-    /// memory for a row's colours.
-    std::size_t (*light_band)(const ObjectPass&, raster::VisibleBand&, VectorStreams& row,
-                              const Target&, Background);
+    /// memory for a row's colours; `shadows` may be null.
+    std::size_t (*light_band)(const ObjectPass&, raster::VisibleBand&, const ShadowBand* shadows,
+                              VectorStreams& row, const Target&, Background);
 };
 
 /// Those that this machine can run, the fastest first; never empty.

@@ -68,6 +68,8 @@ std::size_t ObjectPass::bytes() const {
     sum += raster::bytes_held(vertex_material, bins);
     for (const raster::Bin& bin : bins)
         sum += bin.bytes();
+    for (const ShadowSides& shadow : sides)
+        sum += shadow.bytes();
     return sum;
 }
 
@@ -81,6 +83,11 @@ void ObjectPass::begin(const Object& begun, const Frame& its_frame, const Settin
     vertices.resize(mesh().vertices.size(), settings->shading != Shading::phong,
                     settings->shading != Shading::flat);
     polygons = polygons_of(*this);
+}
+
+void ObjectPass::begin_shadows(std::size_t lights) {
+    sides.resize(lights);
+    if (lights > 0 && object->silhouettes == nullptr) own_silhouettes.emplace(mesh());
 }
 
 void ObjectPass::begin_vertex_light() {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "raster/polygon_streams.h"
 #include "render/frame.h"
 #include "render/scene.h"
+#include "render/shadow_sides.h"
 #include "render/vertex_streams.h"
 
 namespace scanlight::render {
@@ -30,16 +32,23 @@ struct ObjectPass {
     std::vector<std::int32_t> vertex_material;  // empty if there is one material only
     raster::PolygonStreams polygons;
     raster::Attributes attributes;
-    std::vector<raster::Bin> bins;  // by stretches of faces
+    std::vector<raster::Bin> bins;                          // by stretches of faces
+    std::vector<ShadowSides> sides;                         // of each light that casts shadows
+    std::optional<mesh::SilhouetteFinder> own_silhouettes;  // where the object brings none
 
     /// Takes over an object, of which nothing is worked out yet.
     void begin(const Object&, const Frame&, const Settings&);
+    /// Makes room for the shadows of so many lights.
+    void begin_shadows(std::size_t lights);
     /// Makes room for the light of the vertices.
     void begin_vertex_light();
     /// The vertices are placed and lit: says what is to be interpolated.
     void end_vertices();
 
     const mesh::Mesh& mesh() const { return *object->mesh; }
+    const mesh::SilhouetteFinder& silhouettes() const {
+        return object->silhouettes != nullptr ? *object->silhouettes : *own_silhouettes;
+    }
     std::size_t bytes() const;
 };
 
@@ -70,7 +79,8 @@ enum class Background { kept, drawn };
 /// Whether a pixel gets its light as soon as a surface is seen there. Else that waits until the
 /// nearest is known: where light is dear, and where a colour is more than one number to keep.
 inline bool lights_at_once(const Settings& settings, const Target& target) {
-    return settings.shading != Shading::phong && std::holds_alternative<PackedTarget>(target);
+    return settings.shading != Shading::phong && settings.shadows == Shadows::none &&
+           std::holds_alternative<PackedTarget>(target);
 }
 
 }  // namespace scanlight::render

@@ -11,6 +11,7 @@
 #include "render/band_drawer.h"
 #include "render/draw.h"
 #include "render/gouraud.h"
+#include "render/shadow_volume.h"
 #include "render/walker.h"
 
 namespace scanlight::render {
@@ -102,6 +103,8 @@ public:
         report.seconds.vertices = lap(time);
         fill_bins();
         report.seconds.bins = lap(time);
+        find_shadows();
+        report.seconds.shadows = lap(time);
         draw_bands();
         report.seconds.bands = lap(time);
         report.counts = counts();
@@ -155,6 +158,18 @@ private:
                     [&](std::size_t face) { return clipped_face(pass, face); },
                     memory_.survivors[static_cast<std::size_t>(worker)], pass.bins[piece.number]);
             });
+    }
+
+    void find_shadows() {
+        const bool any = settings_.shadows != Shadows::none;
+        const std::size_t lights = any ? frame_.lighting.lights.size() : 0;
+        for (ObjectPass& pass : memory_.passes)
+            pass.begin_shadows(lights);
+        memory_.workers.for_each(memory_.passes.size() * lights, [&](int, std::size_t i) {
+            ObjectPass& pass = memory_.passes[i / lights];
+            const std::size_t light = i % lights;
+            pass.sides[light].find(pass, homogeneous(frame_.lighting.lights[light]), bands_);
+        });
     }
 
     void draw_bands() {
@@ -218,7 +233,13 @@ void copy(const raster::Plane<raster::Rgba>& from, const Target& to) {
     }
 }
 
-/// What the fast path does not know yet.
+/// Intensities of the vertices would have to be interpolated for each light apart.
+bool knows_shadows(const Scene& scene, const Settings& settings) {
+    return settings.shading != Shading::gouraud && sides_suffice(scene, settings) &&
+           scene.lighting.lights.size() <= ShadowBand::most_lights;
+}
+
+/// What the fast path does not know.
 DrawReport draw_by_the_textbook(const Scene& scene, const Settings& settings, const Target& target,
                                 raster::Plane<raster::Depth>* depth) {
     Drawing drawing = draw(scene, settings, size_of(target));
@@ -233,7 +254,7 @@ DrawReport draw_by_the_textbook(const Scene& scene, const Settings& settings, co
 
 DrawReport Renderer::draw_into(const Scene& scene, const Settings& settings, const Target& target,
                                raster::Plane<raster::Depth>* depth) {
-    if (settings.shadows != Shadows::none)
+    if (settings.shadows != Shadows::none && !knows_shadows(scene, settings))
         return draw_by_the_textbook(scene, settings, target, depth);
     return Picture(*memory_, scene, settings, target, depth).draw();
 }

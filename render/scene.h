@@ -6,6 +6,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "mesh/mesh.h"
+#include "mesh/silhouette.h"
 #include "raster/framebuffer.h"
 #include "render/camera.h"
 #include "shading/illumination.h"
@@ -18,6 +19,8 @@ struct Object {
     const mesh::Mesh* mesh = nullptr;
     std::vector<shading::Material<float>> materials;  // one for each of the mesh's
     glm::dmat4 world_from_object{1.0};
+    /// Of the mesh, for shadows: kept by a caller who draws it more than once. Made where null.
+    const mesh::SilhouetteFinder* silhouettes = nullptr;
 };
 
 struct Scene {

@@ -47,6 +47,21 @@ ShadowVolume::ShadowVolume(const Object& object, const mesh::SilhouetteFinder& f
       orientation_(glm::determinant(glm::dmat3(object.world_from_object)) < 0.0 ? -1 : 1),
       silhouette_(finder.from(glm::inverse(object.world_from_object) * light)) {}
 
+bool ShadowVolume::has_cap_through_near() const {
+    const auto is_inside = [](const raster::ClipVertex<0>& v) {
+        return raster::distance(v.position, raster::ClipPlane::near) >= 0.0f;
+    };
+    std::size_t inside = 0;
+    std::size_t ends_inside = 0;
+    const auto count = static_cast<std::uint32_t>(mesh_.vertices.size());
+    if (count == 0) return false;
+    for (std::uint32_t v = 0; v < count; ++v) {
+        inside += is_inside(corner(v)) ? 1 : 0;
+        ends_inside += is_inside(end(v)) ? 1 : 0;
+    }
+    return inside % count != 0 || (!ends_in_one_point_ && ends_inside % count != 0);
+}
+
 ShadowVolume::Polygon ShadowVolume::cap(std::size_t face) const {
     Polygon corners;
     for (const std::uint32_t vertex : mesh_.face(face))

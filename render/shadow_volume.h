@@ -43,6 +43,9 @@ public:
         }
     }
 
+    /// Whether a face of the caps may go through the near plane.
+    bool has_cap_through_near() const;
+
     /// The sides have three or four corners: calls `visit(corners, count)`.
     template <class Visit>
     void for_each_side(Visit&& visit) const {

@@ -84,7 +84,6 @@ void add_light(const Drawing& lit, const Counts& counts, Drawing& sum) {
                 raster::Rgba(glm::vec3(lit.framebuffer.color.at(x, y)), 0.0f);
         }
     }
-    sum.counts += lit.counts;
 }
 
 }  // namespace

@@ -80,8 +80,22 @@ struct Lighting {
 
 /// The light that `surface` sends to its viewer: the ambient term, then each light in the order of
 /// the list, added one by one, for the bits depend on it. World space; linear, not clamped, never
-/// negative or NaN as long as material and lights are neither and all is finite. Nothing casts a
-/// shadow here: who knows that a light is hidden leaves its term out.
+/// negative or NaN as long as material and lights are neither and all is finite. `reaches(i)` says
+/// whether the i-th light is seen from the point; a hidden one's term is left out.
+template <class Model, class Real, class Number, class LightNumber, class Reaches>
+Rgb<Real> illuminate(const Model& model, const Surface<Real>& surface,
+                     const Material<Number>& material, const Lighting<LightNumber>& lighting,
+                     const Reaches& reaches) noexcept {
+    Rgb<Real> intensity = ambient(Rgb<Real>(lighting.ambient), Rgb<Real>(material.ambient));
+    for (std::size_t i = 0; i < lighting.lights.size(); ++i) {
+        const Rgb<Real> term =
+            model(surface, material, incident_at(lighting.lights[i], surface.point));
+        intensity = intensity + select(reaches(i), term, Rgb<Real>(Real(0)));
+    }
+    return intensity;
+}
+
+/// The same where nothing casts a shadow.
 template <class Model, class Real, class Number, class LightNumber = Number>
 Rgb<Real> illuminate(const Model& model, const Surface<Real>& surface,
                      const Material<Number>& material,

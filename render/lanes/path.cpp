@@ -66,10 +66,11 @@ void store_band(raster::VisibleBand& band, const Target& target) {
 }
 
 template <class Technique>
-std::size_t light_rows(const Technique& technique, raster::VisibleBand& band, VectorStreams& row,
-                       const Target& target, Background background) {
+std::size_t light_rows(const Technique& technique, raster::VisibleBand& band,
+                       const ShadowBand* shadows, VectorStreams& row, const Target& target,
+                       Background background) {
     row.resize(static_cast<std::size_t>(band.width()) + raster::most_lanes);
-    const RowLighter lighter(technique, band, row);
+    const RowLighter lighter(technique, band, shadows, row);
     std::size_t pixels = 0;
     for (int y = band.rows().y_begin; y < band.rows().y_end; ++y) {
         lighter.light(y);
@@ -78,10 +79,10 @@ std::size_t light_rows(const Technique& technique, raster::VisibleBand& band, Ve
     return pixels;
 }
 
-std::size_t light_band(const ObjectPass& pass, raster::VisibleBand& band, VectorStreams& row,
-                       const Target& target, Background background) {
+std::size_t light_band(const ObjectPass& pass, raster::VisibleBand& band, const ShadowBand* shadows,
+                       VectorStreams& row, const Target& target, Background background) {
     const auto light = [&](const auto& technique) {
-        return light_rows(technique, band, row, target, background);
+        return light_rows(technique, band, shadows, row, target, background);
     };
     if (pass.settings->shading == Shading::flat) return light(FlatLanes(pass));
     if (pass.settings->shading == Shading::gouraud) return light(GouraudLanes(pass));

@@ -8,6 +8,7 @@
 #include "raster/lanes/pack.h"
 #include "render/object_pass.h"
 #include "render/painted.h"
+#include "render/shadow_band.h"
 #include "render/undivided.h"
 #include "render/viewing.h"
 
@@ -61,8 +62,9 @@ ColorLanes light_by_material(const ObjectPass& pass, Ints face, Mask wanted, Lig
 struct PixelLanes {
     int x, y;
     Ints depth;
-    Mask shown;  // somewhere
-    Ints item;   // where nothing is shown, that of a pixel where something is
+    Mask shown;     // somewhere
+    Ints item;      // where nothing is shown, that of a pixel where something is
+    Ints shadowed;  // the lights that do not reach the pixel: their bits
     Ints attributes[raster::most_attributes];
 
     Ints face() const { return item & Ints(static_cast<std::int32_t>(raster::face_mask)); }
@@ -73,6 +75,15 @@ struct PixelLanes {
     }
 };
 
+/// Whether a light reaches a pixel.
+struct Reaches {
+    Ints shadowed;
+
+    Mask operator()(std::size_t light) const {
+        return (shadowed & Ints(static_cast<std::int32_t>(1u << light % 32))) == Ints(0);
+    }
+};
+
 /// One intensity a face: see `FlatTechnique`.
 class FlatLanes {
 public:
@@ -80,16 +91,18 @@ public:
 
     explicit FlatLanes(const ObjectPass& pass) : pass_(pass) {}
 
-    ColorLanes shade(const PixelLanes& pixels) const { return color_of(pixels.item); }
+    ColorLanes shade(const PixelLanes& pixels) const {
+        return color_of(pixels.item, pixels.shadowed);
+    }
 
-    /// A lane is a polygon.
-    ColorLanes color_of(Ints item) const {
-        return with_model(*pass_.settings, [&](auto model) { return lit(model, item); });
+    /// A lane is a polygon, or a pixel of one.
+    ColorLanes color_of(Ints item, Ints shadowed = Ints(0)) const {
+        return with_model(*pass_.settings, [&](auto model) { return lit(model, item, shadowed); });
     }
 
 private:
     template <class Model>
-    SCANLIGHT_FLATTEN ColorLanes lit(const Model& model, Ints item) const {
+    SCANLIGHT_FLATTEN ColorLanes lit(const Model& model, Ints item, Ints shadowed) const {
         const Ints face = item & Ints(static_cast<std::int32_t>(raster::face_mask));
         const VectorLanes point = mean_corner(face);
         const VectorLanes normal = transformed_normal(pass_.placing.normals_from_object,
@@ -101,7 +114,7 @@ private:
             return with_paint(pass_.mesh(), [&](auto paint) {
                 return illuminate(model, surface,
                                   painted_by<paint>(material, [&] { return mean_color(face); }),
-                                  pass_.frame->lighting);
+                                  pass_.frame->lighting, Reaches{shadowed});
             });
         });
     }
@@ -183,7 +196,7 @@ public:
         return light_by_material(pass_, pixels.face(), pixels.shown, [&](const auto& material) {
             return illuminate(model_, surface,
                               painted_by<paint>(material, [&] { return vertex_color(pixels); }),
-                              pass_.frame->lighting);
+                              pass_.frame->lighting, Reaches{pixels.shadowed});
         });
     }
 
@@ -269,8 +282,9 @@ private:
 template <class Technique>
 class RowLighter {
 public:
-    RowLighter(const Technique& technique, raster::VisibleBand& band, VectorStreams& row)
-        : technique_(technique), band_(band), row_(row) {}
+    RowLighter(const Technique& technique, raster::VisibleBand& band, const ShadowBand* shadows,
+               VectorStreams& row)
+        : technique_(technique), band_(band), shadows_(shadows), row_(row) {}
 
     /// The colours of all pixels of a row that are of an item.
     SCANLIGHT_FLATTEN void light(int y) const {
@@ -291,6 +305,7 @@ private:
         pixels.x = x;
         pixels.y = y;
         pixels.depth = load(at.depth);
+        pixels.shadowed = shadows_ == nullptr ? Ints(0) : load(shadows_->row(y) + x);
         pixels.item = all(pixels.shown) ? item : with_neighbours(item, pixels.shown);
         for (int k = 0; k < Technique::attributes; ++k)
             pixels.attributes[k] = load(at.kept(k + 1));
@@ -311,6 +326,7 @@ private:
 
     const Technique& technique_;
     raster::VisibleBand& band_;
+    const ShadowBand* shadows_;
     VectorStreams& row_;
 };
 

@@ -41,6 +41,9 @@ NamedScenes special_scenes();
 /// Random polygons of all sizes and kinds.
 NamedScenes soup_scenes();
 
+/// Shadows of several objects in several lights.
+NamedScenes shadow_scenes();
+
 /// All of them.
 NamedScenes all_scenes();
 

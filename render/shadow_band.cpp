@@ -1,0 +1,33 @@
+#include "render/shadow_band.h"
+
+#include <algorithm>
+
+namespace scanlight::render {
+
+void ShadowBand::find(std::span<const ObjectPass> passes, raster::VisibleBand& band, int number) {
+    const raster::Rows rows = band.rows();
+    y_begin_ = rows.y_begin;
+    stride_ = band.stride();
+    const auto pixels = static_cast<std::size_t>(stride_ * (rows.y_end - rows.y_begin));
+    shadowed_.assign(pixels, 0);
+    counts_.resize(pixels);
+    const raster::CountedBand counted{rows, stride_, band.depth_row(rows.y_begin), counts_.data()};
+    const std::size_t lights = passes.empty() ? 0 : passes.front().sides.size();
+    for (std::size_t light = 0; light < lights; ++light)
+        find(light, passes, counted, number);
+}
+
+void ShadowBand::find(std::size_t light, std::span<const ObjectPass> passes,
+                      const raster::CountedBand& band, int number) {
+    std::ranges::fill(counts_, 0);
+    for (const ObjectPass& pass : passes) {
+        const ShadowSides& sides = pass.sides[light];
+        for (const std::uint32_t i : sides.band(number))
+            counter_.count(sides.triangles()[i], band);
+    }
+    const auto bit = static_cast<std::int32_t>(1u << light);
+    for (std::size_t i = 0; i < counts_.size(); ++i)
+        shadowed_[i] |= counts_[i] != 0 ? bit : 0;
+}
+
+}  // namespace scanlight::render

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "raster/count_triangle.h"
+#include "raster/visible_band.h"
+#include "render/object_pass.h"
+
+namespace scanlight::render {
+
+/// Which lights do not reach the surfaces that a band shows: for each pixel a bit a light. Keeps
+/// its memory from one band to the next.
+class ShadowBand {
+public:
+    /// As many lights as there are bits.
+    static constexpr std::size_t most_lights = 32;
+
+    /// Counts the shadow volumes of all objects, a light after the other, against the depths of the
+    /// `number`-th band. All objects have the sides of as many lights.
+    void find(std::span<const ObjectPass> passes, raster::VisibleBand& band, int number);
+
+    /// A whole vector may be read at its end.
+    const std::int32_t* row(int y) const { return shadowed_.data() + stride_ * (y - y_begin_); }
+
+    std::size_t bytes() const { return raster::bytes_held(counts_, shadowed_); }
+
+private:
+    void find(std::size_t light, std::span<const ObjectPass> passes,
+              const raster::CountedBand& band, int number);
+
+    std::ptrdiff_t stride_ = 0;
+    int y_begin_ = 0;
+    std::vector<std::int32_t> counts_;  // the stencil
+    std::vector<std::int32_t> shadowed_;
+    raster::TriangleCounter counter_;
+};
+
+}  // namespace scanlight::render
