@@ -32,9 +32,10 @@ struct LanePath {
 
     CullFaces cull_faces;
 
-    /// Draws polygons into a band, in their order: depth, and as the only number kept the item.
-    void (*draw_items)(const PolygonStreams&, std::span<const FaceItem> items, VisibleBand&,
-                       Walker&);
+    /// Draws polygons into a band, in their order: depth, and as the only number kept the item plus
+    /// `first`.
+    void (*draw_items)(const PolygonStreams&, std::span<const FaceItem> items, std::int32_t first,
+                       VisibleBand&, Walker&);
 };
 
 /// Those that this machine can run, the fastest first; never empty.

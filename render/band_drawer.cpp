@@ -23,7 +23,6 @@ void BandDrawer::begin() {
 }
 
 void BandDrawer::draw(const Picture& picture, int width, raster::Rows rows, int number) {
-    if (picture.settings.shadows != Shadows::none) find_shadows(picture, width, rows, number);
     const bool at_once = lights_at_once(picture.settings, picture.target);
     int kept = 1;
     for (const ObjectPass& pass : picture.passes)
@@ -33,36 +32,28 @@ void BandDrawer::draw(const Picture& picture, int width, raster::Rows rows, int 
     if (picture.depth != nullptr) copy_depth(*picture.depth);
 }
 
-/// What is seen comes first, without its light; it is not counted.
-void BandDrawer::find_shadows(const Picture& picture, int width, raster::Rows rows, int number) {
-    const raster::PixelCounts before = band_.counts();
-    band_.clear(width, rows, 1);
-    for (const ObjectPass& pass : picture.passes) {
-        Walker walker(pass, walks_, rows);
-        for (const raster::Bin& bin : pass.bins) {
-            picture.path.raster->draw_items(pass.polygons, bin.band(number), band_, walker);
-        }
-    }
-    shadows_.find(picture.passes, band_, number);
-    band_.counts() = before;
-}
-
 void BandDrawer::draw_lit(const Picture& picture, int number) {
     for (const ObjectPass& pass : picture.passes)
         shaded_ += see(picture, pass, number);
     picture.path.store_band(band_, picture.target);
 }
 
+/// First all objects are seen, so that nothing is lit that another hides.
 void BandDrawer::draw_then_light(const Picture& picture, int number) {
-    const ShadowBand* shadows = picture.settings.shadows == Shadows::none ? nullptr : &shadows_;
-    Background background = Background::drawn;
+    band_.forget_items();
+    seen_.clear();
     for (const ObjectPass& pass : picture.passes) {
-        band_.forget_items();
-        if (see(picture, pass, number) == 0) continue;
-        shaded_ += picture.path.light_band(pass, band_, shadows, row_, picture.target, background);
+        if (see(picture, pass, number) > 0) seen_.push_back(&pass);
+    }
+    if (seen_.empty()) return fill_rows(picture.target, band_.rows());
+    const bool has_shadows = picture.settings.shadows != Shadows::none;
+    if (has_shadows) shadows_.find(picture.passes, band_, number);
+    Background background = Background::drawn;
+    for (const ObjectPass* pass : seen_) {
+        shaded_ += picture.path.light_band(*pass, band_, has_shadows ? &shadows_ : nullptr, row_,
+                                           picture.target, background);
         background = Background::kept;
     }
-    if (background == Background::drawn) fill_rows(picture.target, band_.rows());
 }
 
 /// Finds out what each pixel shows; how many come to show this object, some more than once.

@@ -37,7 +37,6 @@ public:
     }
 
 private:
-    void find_shadows(const Picture& picture, int width, raster::Rows rows, int number);
     void draw_lit(const Picture& picture, int number);
     void draw_then_light(const Picture& picture, int number);
     std::size_t see(const Picture& picture, const ObjectPass& pass, int number);
@@ -50,6 +49,7 @@ private:
     VectorStreams row_;  // colours of a row of pixels
     WalkMemories walks_;
     std::vector<raster::FaceItem> items_;
+    std::vector<const ObjectPass*> seen_;
     std::size_t shaded_ = 0;
 };
 

@@ -29,7 +29,7 @@ struct LanePath {
     /// Stores the colours that the pixels keep; all others become background.
     void (*store_band)(raster::VisibleBand&, const Target&);
 
-    /// Illuminates each pixel of the band that is of an item, by what it keeps, and stores it.
+    /// Illuminates each pixel of the band that shows the object, by what it keeps, and stores it.
     /// Returns how many there were. With `Background::drawn` all others become background. `row` is
     /// memory for a row's colours; `shadows` may be null.
     std::size_t (*light_band)(const ObjectPass&, raster::VisibleBand&, const ShadowBand* shadows,

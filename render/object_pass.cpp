@@ -73,10 +73,13 @@ std::size_t ObjectPass::bytes() const {
     return sum;
 }
 
-void ObjectPass::begin(const Object& begun, const Frame& its_frame, const Settings& its_settings) {
+void ObjectPass::begin(const Object& begun, std::size_t first_face, const Frame& its_frame,
+                       const Settings& its_settings) {
     assert(begun.materials.size() == begun.mesh->materials.size());
-    assert(begun.mesh->face_count() <= raster::most_faces);
+    assert(first_face + begun.mesh->face_count() <= raster::most_faces);
     object = &begun;
+    faces = {static_cast<std::int32_t>(first_face),
+             static_cast<std::int32_t>(begun.mesh->face_count())};
     frame = &its_frame;
     settings = &its_settings;
     placing = placing_of(object->world_from_object, *frame);

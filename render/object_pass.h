@@ -17,12 +17,25 @@
 
 namespace scanlight::render {
 
+/// The faces of one object among those of all: their items count on from object to object.
+struct FaceRange {
+    std::int32_t first = 0;
+    std::int32_t count = 0;
+
+    bool holds(std::int32_t item) const {
+        const auto face =
+            static_cast<std::int32_t>(static_cast<raster::FaceItem>(item) & raster::face_mask);
+        return face >= first && face - first < count;
+    }
+};
+
 /// One object on its way through the fast path: what its stages hand on, as plain arrays. Kept from
 /// one picture to the next for its memory.
 struct ObjectPass {
     const Object* object = nullptr;
     const Frame* frame = nullptr;
     const Settings* settings = nullptr;
+    FaceRange faces;
     Placing placing;
     VertexStreams vertices;
     /// Gouraud: intensities of the vertices from the front and, if lit, from the back; and the
@@ -36,8 +49,9 @@ struct ObjectPass {
     std::vector<ShadowSides> sides;                         // of each light that casts shadows
     std::optional<mesh::SilhouetteFinder> own_silhouettes;  // where the object brings none
 
-    /// Takes over an object, of which nothing is worked out yet.
-    void begin(const Object&, const Frame&, const Settings&);
+    /// Takes over an object, of which nothing is worked out yet; `first_face` is how many faces the
+    /// objects before it have.
+    void begin(const Object&, std::size_t first_face, const Frame&, const Settings&);
     /// Makes room for the shadows of so many lights.
     void begin_shadows(std::size_t lights);
     /// Makes room for the light of the vertices.

@@ -115,8 +115,11 @@ public:
 private:
     void place_objects() {
         memory_.passes.resize(scene_.objects.size());
-        for (std::size_t i = 0; i < scene_.objects.size(); ++i)
-            memory_.passes[i].begin(scene_.objects[i], frame_, settings_);
+        std::size_t faces = 0;
+        for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+            memory_.passes[i].begin(scene_.objects[i], faces, frame_, settings_);
+            faces += scene_.objects[i].mesh->face_count();
+        }
         std::vector<std::atomic<std::int32_t>> outside(memory_.passes.size());
         for_each_piece(memory_.passes, vertices_a_piece, vertex_count,
                        [&](int, const Piece& piece) {

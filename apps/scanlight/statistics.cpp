@@ -64,6 +64,7 @@ Json times_json(const Statistics& s) {
             {"draw", time_json(s.draw_seconds)},
             {"vertices", fast_only(s, time_json(stages.vertices))},
             {"bins", fast_only(s, time_json(stages.bins))},
+            {"shadows", fast_only(s, time_json(stages.shadows))},
             {"bands", fast_only(s, time_json(stages.bands))},
             {"save", time_json(s.save_seconds)}};
 }

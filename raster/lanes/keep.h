@@ -18,13 +18,16 @@ struct Kept {
     Ints number[count];
 };
 
-/// The polygon's item and the attributes as they are: light comes later.
+/// The polygon's item and the attributes as they are: light comes later. Items count on from
+/// `first`, so that several objects are told apart.
 template <int count>
 struct KeepAttributes {
     static constexpr int attributes = count;
     static constexpr int numbers = count + 1;
 
-    Ints own(Ints item) const { return item; }
+    explicit KeepAttributes(std::int32_t first) : first_(first) {}
+
+    Ints own(Ints item) const { return item + Ints(first_); }
     Kept<numbers> of(Ints own, const Ints* values) const {
         Kept<numbers> kept;
         kept.number[0] = own;
@@ -32,6 +35,9 @@ struct KeepAttributes {
             kept.number[k + 1] = values[k];
         return kept;
     }
+
+private:
+    std::int32_t first_;
 };
 using KeepItem = KeepAttributes<0>;
 

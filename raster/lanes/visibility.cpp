@@ -11,9 +11,9 @@ void cull_faces(const PolygonStreams& streams, CullRule rule, std::size_t begin,
     FaceCuller(streams, rule).cull(begin, end, survivors, counts);
 }
 
-void draw_items(const PolygonStreams& streams, std::span<const FaceItem> items, VisibleBand& band,
-                Walker& walker) {
-    BandPainter<KeepItem>(streams, {}, {}, band, walker).draw(items);
+void draw_items(const PolygonStreams& streams, std::span<const FaceItem> items, std::int32_t first,
+                VisibleBand& band, Walker& walker) {
+    BandPainter<KeepItem>(streams, {}, KeepItem(first), band, walker).draw(items);
 }
 
 }  // namespace

@@ -48,15 +48,16 @@ void see(const ObjectPass& pass, std::span<const raster::FaceItem> items, const 
         const auto encoding = std::get_if<PackedTarget>(&target)->encoding;
         return see_colors(pass, items, encoding, band, walker);
     }
+    const std::int32_t first = pass.faces.first;
     switch (pass.attributes.count) {
         case 3:
-            return draw(pass, items, KeepAttributes<3>(), band, walker);
+            return draw(pass, items, KeepAttributes<3>(first), band, walker);
         case 4:
-            return draw(pass, items, KeepAttributes<4>(), band, walker);
+            return draw(pass, items, KeepAttributes<4>(first), band, walker);
         case 7:
-            return draw(pass, items, KeepAttributes<7>(), band, walker);
+            return draw(pass, items, KeepAttributes<7>(first), band, walker);
         default:
-            raster::HWY_NAMESPACE::lane_path.draw_items(pass.polygons, items, band, walker);
+            raster::HWY_NAMESPACE::lane_path.draw_items(pass.polygons, items, first, band, walker);
     }
 }
 
@@ -66,15 +67,15 @@ void store_band(raster::VisibleBand& band, const Target& target) {
 }
 
 template <class Technique>
-std::size_t light_rows(const Technique& technique, raster::VisibleBand& band,
+std::size_t light_rows(const Technique& technique, FaceRange faces, raster::VisibleBand& band,
                        const ShadowBand* shadows, VectorStreams& row, const Target& target,
                        Background background) {
     row.resize(static_cast<std::size_t>(band.width()) + raster::most_lanes);
-    const RowLighter lighter(technique, band, shadows, row);
+    const RowLighter lighter(technique, faces, band, shadows, row);
     std::size_t pixels = 0;
     for (int y = band.rows().y_begin; y < band.rows().y_end; ++y) {
         lighter.light(y);
-        pixels += store_row(row, band, y, target, background);
+        pixels += store_row(row, faces, band, y, target, background);
     }
     return pixels;
 }
@@ -82,7 +83,7 @@ std::size_t light_rows(const Technique& technique, raster::VisibleBand& band,
 std::size_t light_band(const ObjectPass& pass, raster::VisibleBand& band, const ShadowBand* shadows,
                        VectorStreams& row, const Target& target, Background background) {
     const auto light = [&](const auto& technique) {
-        return light_rows(technique, band, shadows, row, target, background);
+        return light_rows(technique, pass.faces, band, shadows, row, target, background);
     };
     if (pass.settings->shading == Shading::flat) return light(FlatLanes(pass));
     if (pass.settings->shading == Shading::gouraud) return light(GouraudLanes(pass));

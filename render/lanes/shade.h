@@ -6,6 +6,7 @@
 #include "raster/lanes/keep.h"
 #include "raster/lanes/numbers.h"
 #include "raster/lanes/pack.h"
+#include "render/lanes/store.h"
 #include "render/object_pass.h"
 #include "render/painted.h"
 #include "render/shadow_band.h"
@@ -282,11 +283,11 @@ private:
 template <class Technique>
 class RowLighter {
 public:
-    RowLighter(const Technique& technique, raster::VisibleBand& band, const ShadowBand* shadows,
-               VectorStreams& row)
-        : technique_(technique), band_(band), shadows_(shadows), row_(row) {}
+    RowLighter(const Technique& technique, FaceRange faces, raster::VisibleBand& band,
+               const ShadowBand* shadows, VectorStreams& row)
+        : technique_(technique), faces_(faces), band_(band), shadows_(shadows), row_(row) {}
 
-    /// The colours of all pixels of a row that are of an item.
+    /// The colours of all pixels of a row that show one of the faces.
     SCANLIGHT_FLATTEN void light(int y) const {
         const raster::Columns columns = band_.touched();
         PixelLanes pixels;
@@ -299,8 +300,8 @@ private:
     /// False where nothing is shown.
     bool read(int x, int y, PixelLanes& pixels) const {
         const raster::PixelPlace at = band_.row(y) + x;
-        const Ints item = load(at.kept(0));
-        pixels.shown = item != Ints(raster::no_item);
+        const Ints item = load(at.kept(0)) - Ints(faces_.first);
+        pixels.shown = lanes_held(faces_, load(at.kept(0)));
         if (!any(pixels.shown)) return false;
         pixels.x = x;
         pixels.y = y;
@@ -325,6 +326,7 @@ private:
     }
 
     const Technique& technique_;
+    FaceRange faces_;
     raster::VisibleBand& band_;
     const ShadowBand* shadows_;
     VectorStreams& row_;

@@ -97,7 +97,7 @@ std::size_t fast_span(const LanePath& path, Row& row, int x_begin, int x_end, co
     std::ranges::copy(row.items, band.kept_row(0, 0));
     OneSpan walker(x_begin, x_end, ramp);
     const FaceItem item = drawn | walk_flag;
-    path.draw_items(streams, {&item, 1}, band, walker);
+    path.draw_items(streams, {&item, 1}, 0, band, walker);
     std::copy_n(band.depth_row(0), row.depth.size(), row.depth.begin());
     std::copy_n(band.kept_row(0, 0), row.items.size(), row.items.begin());
     for (std::int32_t& number : row.items)
@@ -227,7 +227,7 @@ TEST(LanePathItems, CoverAndHideAsTheWalkDoes) {
             VisibleBand band;
             band.clear(width, rows, 1);
             FillWalker walker(streams, rows);
-            path->draw_items(streams, items, band, walker);
+            path->draw_items(streams, items, 0, band, walker);
             for (int y = rows.y_begin; y < rows.y_end; ++y) {
                 for (int x = 0; x < width; ++x) {
                     ASSERT_EQ(band.depth_row(y)[x], depth.at(x, y)) << path->name << ", case " << i;
