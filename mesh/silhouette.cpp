@@ -28,7 +28,8 @@ Facing sign_of(double distance) {
 
 }  // namespace
 
-SilhouetteFinder::SilhouetteFinder(const Mesh& mesh) : edges_(edges_of(mesh)) {
+SilhouetteFinder::SilhouetteFinder(const Mesh& mesh)
+    : edges_(edges_of(mesh)), bounds_(bounding_box(mesh)) {
     planes_.reserve(mesh.face_count());
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         const auto corners = corners_of(mesh, f);

@@ -7,6 +7,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "mesh/bounds.h"
 #include "mesh/edges.h"
 #include "mesh/mesh.h"
 
@@ -43,6 +44,9 @@ public:
     /// `viewpoint` is homogeneous, object space: a place (w = 1) or a direction towards it (w = 0).
     Silhouette from(const glm::dvec4& viewpoint) const;
 
+    /// Of the mesh.
+    const Box& bounds() const { return bounds_; }
+
 private:
     /// Of a face: the area vector, and its product with a point; of a bent face with the mean of
     /// the corners.
@@ -55,6 +59,7 @@ private:
 
     Edges edges_;
     std::vector<Plane> planes_;
+    Box bounds_;
 };
 
 }  // namespace scanlight::mesh

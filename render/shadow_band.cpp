@@ -11,10 +11,25 @@ void ShadowBand::find(std::span<const ObjectPass> passes, raster::VisibleBand& b
     const auto pixels = static_cast<std::size_t>(stride_ * (rows.y_end - rows.y_begin));
     shadowed_.assign(pixels, 0);
     counts_.resize(pixels);
-    const raster::CountedBand counted{rows, stride_, band.depth_row(rows.y_begin), counts_.data()};
+    find_farthest(band);
+    const raster::CountedBand counted{rows, stride_, band.depth_row(rows.y_begin), counts_.data(),
+                                      farthest_.data()};
     const std::size_t lights = passes.empty() ? 0 : passes.front().sides.size();
     for (std::size_t light = 0; light < lights; ++light)
         find(light, passes, counted, number);
+}
+
+void ShadowBand::find_farthest(raster::VisibleBand& band) {
+    constexpr int tile_width = 1 << raster::CountedBand::tile_bits;
+    farthest_.assign(static_cast<std::size_t>(band.width() / tile_width + 1), 0);
+    for (int y = band.rows().y_begin; y < band.rows().y_end; ++y) {
+        const raster::Depth* depth = band.depth_row(y);
+        for (int x = 0; x < band.width(); x += tile_width) {
+            const int end = std::min(x + tile_width, band.width());
+            raster::Depth& farthest = farthest_[static_cast<std::size_t>(x / tile_width)];
+            farthest = std::max(farthest, *std::max_element(depth + x, depth + end));
+        }
+    }
 }
 
 void ShadowBand::find(std::size_t light, std::span<const ObjectPass> passes,

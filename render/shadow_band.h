@@ -25,9 +25,10 @@ public:
     /// A whole vector may be read at its end.
     const std::int32_t* row(int y) const { return shadowed_.data() + stride_ * (y - y_begin_); }
 
-    std::size_t bytes() const { return raster::bytes_held(counts_, shadowed_); }
+    std::size_t bytes() const { return raster::bytes_held(counts_, shadowed_, farthest_); }
 
 private:
+    void find_farthest(raster::VisibleBand& band);
     void find(std::size_t light, std::span<const ObjectPass> passes,
               const raster::CountedBand& band, int number);
 
@@ -35,6 +36,7 @@ private:
     int y_begin_ = 0;
     std::vector<std::int32_t> counts_;  // the stencil
     std::vector<std::int32_t> shadowed_;
+    std::vector<raster::Depth> farthest_;  // see `raster::CountedBand`
     raster::TriangleCounter counter_;
 };
 

@@ -1,5 +1,7 @@
 #include "render/shadow_volume.h"
 
+#include <cmath>
+
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 
@@ -24,6 +26,20 @@ bool tells_infinity(const Frame& frame) {
            glm::dot(z_row, w_row) < raster::deepest_ndc * glm::dot(w_row, w_row);
 }
 
+/// On which sides of the near plane some points lie; within a rounding of it, on both.
+struct NearSides {
+    bool inside = false;
+    bool outside = false;
+
+    void add(const glm::vec4& p) {
+        const float rounding = 1e-5f * (std::abs(p.x) + std::abs(p.y) + std::abs(p.w));
+        const float distance = raster::distance(p, raster::ClipPlane::near);
+        inside = inside || distance >= -rounding;
+        outside = outside || distance <= rounding;
+    }
+    bool both() const { return inside && outside; }
+};
+
 }  // namespace
 
 glm::dvec4 homogeneous(const shading::Light<float>& light) {
@@ -45,21 +61,23 @@ ShadowVolume::ShadowVolume(const Object& object, const mesh::SilhouetteFinder& f
       w_of_ends_(w_of_ends(frame)),
       ends_in_one_point_(light.w == 0.0 && w_of_ends_ == 0.0),
       orientation_(glm::determinant(glm::dmat3(object.world_from_object)) < 0.0 ? -1 : 1),
+      bounds_(finder.bounds()),
       silhouette_(finder.from(glm::inverse(object.world_from_object) * light)) {}
 
+/// Distances from a plane are linear, so extreme in the corners of the mesh's box; up to a
+/// rounding.
 bool ShadowVolume::has_cap_through_near() const {
-    const auto is_inside = [](const raster::ClipVertex<0>& v) {
-        return raster::distance(v.position, raster::ClipPlane::near) >= 0.0f;
-    };
-    std::size_t inside = 0;
-    std::size_t ends_inside = 0;
-    const auto count = static_cast<std::uint32_t>(mesh_.vertices.size());
-    if (count == 0) return false;
-    for (std::uint32_t v = 0; v < count; ++v) {
-        inside += is_inside(corner(v)) ? 1 : 0;
-        ends_inside += is_inside(end(v)) ? 1 : 0;
+    if (bounds_.empty()) return false;
+    NearSides caps;
+    NearSides ends;
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 position((i & 1) != 0 ? bounds_.high.x : bounds_.low.x,
+                                  (i & 2) != 0 ? bounds_.high.y : bounds_.low.y,
+                                  (i & 4) != 0 ? bounds_.high.z : bounds_.low.z);
+        caps.add(corner_at(position));
+        ends.add(end_at(position));
     }
-    return inside % count != 0 || (!ends_in_one_point_ && ends_inside % count != 0);
+    return caps.both() || (!ends_in_one_point_ && ends.both());
 }
 
 ShadowVolume::Polygon ShadowVolume::cap(std::size_t face) const {
@@ -82,18 +100,24 @@ ShadowVolume::Polygon ShadowVolume::side(const mesh::SilhouetteEdge& edge) const
     return corners;
 }
 
-/// By the steps of all vertices, so that a cap lies where its faces are drawn, to the bit.
 raster::ClipVertex<0> ShadowVolume::corner(std::uint32_t vertex) const {
-    const glm::dvec3 position(mesh_.vertices.position(vertex));
-    return {glm::vec4(transformed_point(clip_from_object_, position)), {}};
+    return {corner_at(glm::dvec3(mesh_.vertices.position(vertex))), {}};
+}
+
+raster::ClipVertex<0> ShadowVolume::end(std::uint32_t vertex) const {
+    return {end_at(glm::dvec3(mesh_.vertices.position(vertex))), {}};
+}
+
+/// By the steps of all vertices, so that a cap lies where its faces are drawn, to the bit.
+glm::vec4 ShadowVolume::corner_at(const glm::dvec3& position) const {
+    return glm::vec4(transformed_point(clip_from_object_, position));
 }
 
 /// Away from the light, as far as it goes.
-raster::ClipVertex<0> ShadowVolume::end(std::uint32_t vertex) const {
-    const glm::dvec3 position(mesh_.vertices.position(vertex));
+glm::vec4 ShadowVolume::end_at(const glm::dvec3& position) const {
     const glm::dvec3 point(transformed_point(world_from_object_, position));
     const glm::dvec3 away = light_.w * point - glm::dvec3(light_);
-    return {glm::vec4(clip_from_world_ * glm::dvec4(away + w_of_ends_ * point, w_of_ends_)), {}};
+    return glm::vec4(clip_from_world_ * glm::dvec4(away + w_of_ends_ * point, w_of_ends_));
 }
 
 }  // namespace scanlight::render

@@ -61,6 +61,8 @@ private:
     Polygon side(const mesh::SilhouetteEdge& edge) const;
     raster::ClipVertex<0> corner(std::uint32_t vertex) const;
     raster::ClipVertex<0> end(std::uint32_t vertex) const;
+    glm::vec4 corner_at(const glm::dvec3& position) const;
+    glm::vec4 end_at(const glm::dvec3& position) const;
 
     const mesh::Mesh& mesh_;
     glm::dmat4 world_from_object_;
@@ -70,6 +72,7 @@ private:
     double w_of_ends_;
     bool ends_in_one_point_;    // all shadows
     std::int32_t orientation_;  // -1 where the placing mirrors
+    mesh::Box bounds_;          // of the mesh
     mesh::Silhouette silhouette_;
 };
 
