@@ -58,7 +58,7 @@ void BareRows::draw_bare() {
 void BareRows::draw_items(const render::LanePath& path) {
     clear();
     AllSpans walker(length_);
-    path.raster->draw_items(pass_.polygons, {&only_face, 1}, band_, walker);
+    path.raster->draw_items(pass_.polygons, {&only_face, 1}, 0, band_, walker);
 }
 
 void BareRows::draw_gouraud(const render::LanePath& path) {
