@@ -34,7 +34,7 @@ void ShadowSides::find(const ObjectPass& pass, const glm::dvec4& light,
             triangles_.push_back({{t[0], t[1], t[2]}, count});
         });
     };
-    volume.for_each_side([&](const auto& side, std::int32_t count) {
+    volume.for_each_side([&](const auto& side, std::int32_t count, const auto&) {
         raster::for_each_triangle(side, [&](const auto& triangle) {
             const auto visit = [&](const auto& part) { add(part, count); };
             raster::clip_volume_face(triangle, deep, viewport, visit);
@@ -42,7 +42,7 @@ void ShadowSides::find(const ObjectPass& pass, const glm::dvec4& light,
         });
     });
     if (has_section && volume.has_cap_through_near()) {
-        volume.for_each_cap([&](const auto& face, std::int32_t count, bool) {
+        volume.for_each_cap([&](const auto& face, std::int32_t count, bool, std::size_t) {
             raster::near_section(face, viewport, [&](const auto& part) { add(part, count); });
         });
     }

@@ -30,7 +30,7 @@ public:
     ShadowVolume(const Object& object, const mesh::SilhouetteFinder& finder,
                  const glm::dvec4& light, const Frame& frame);
 
-    /// Calls `visit(corners, count, at_end)` with the faces of both caps, in clip space.
+    /// Calls `visit(corners, count, at_end, face)` with the faces of both caps, in clip space.
     /// Counter-clockwise corners show the outside; `count` is how often a face is there, less than
     /// 0 where its inside is shown. Those at the end lie behind everything.
     template <class Visit>
@@ -38,19 +38,19 @@ public:
         for (std::size_t f = 0; f < silhouette_.facing.size(); ++f) {
             const auto facing = static_cast<std::int32_t>(silhouette_.facing[f]);
             if (facing == 0) continue;
-            visit(cap(f), orientation_ * facing, false);
-            if (!ends_in_one_point_) visit(end_cap(f), -orientation_ * facing, true);
+            visit(cap(f), orientation_ * facing, false, f);
+            if (!ends_in_one_point_) visit(end_cap(f), -orientation_ * facing, true, f);
         }
     }
 
     /// Whether a face of the caps may go through the near plane.
     bool has_cap_through_near() const;
 
-    /// The sides have three or four corners: calls `visit(corners, count)`.
+    /// The sides have three or four corners: calls `visit(corners, count, edge)`.
     template <class Visit>
     void for_each_side(Visit&& visit) const {
         for (const mesh::SilhouetteEdge& edge : silhouette_.edges)
-            visit(side(edge), orientation_ * edge.multiplicity);
+            visit(side(edge), orientation_ * edge.multiplicity, edge);
     }
 
 private:

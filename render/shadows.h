@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "render/draw.h"
 
@@ -12,6 +13,29 @@ namespace scanlight::render {
 raster::Plane<std::int32_t> count_shadows(const Scene& scene, const Settings& settings,
                                           std::size_t light,
                                           const raster::Plane<raster::Depth>& depth);
+
+/// What a face of a shadow volume is.
+enum class VolumePart {
+    cap,       // a face of the object
+    side,      // from an edge of its silhouette away from the light
+    end,       // a face again, at infinity
+    near_cut,  // what closes the volume where the near plane cuts it open
+};
+
+/// A face of a shadow volume that a ray from the eye goes through.
+struct ShadowCrossing {
+    std::size_t object = 0;  // its place in the scene
+    VolumePart part = VolumePart::cap;
+    std::uint32_t face = 0;     // of a cap or an end: its place in the file, from 0
+    mesh::SilhouetteEdge edge;  // of a side
+    std::int32_t entered = 0;   // how many volumes the ray enters there, less those it leaves
+    raster::Depth depth = 0;    // `raster::depth_beyond` at infinity, less than 0 on the near plane
+};
+
+/// The faces that the ray through pixel (x, y)'s centre goes through, from the eye on.
+std::vector<ShadowCrossing> shadow_crossings(const Scene& scene, const Settings& settings,
+                                             std::size_t light, raster::Viewport viewport, int x,
+                                             int y);
 
 /// Draws a scene with shadows, in many passes as in the literature: the ambient light first, then
 /// for each light the shadow volumes into the stencil, and the light where nothing was counted.

@@ -8,6 +8,7 @@
 
 #include "apps/scanlight/commands.h"
 #include "apps/scanlight/scene_setup.h"
+#include "apps/scanlight/shadow_report.h"
 #include "apps/scanlight/steps_report.h"
 #include "apps/scanlight/usage_error.h"
 #include "raster/save_file.h"
@@ -24,6 +25,7 @@ struct StepsOptions {
     SceneOptions scene;
     std::string output = "-";
     std::string polygon;  // a number, "all", or empty for the tallest
+    std::string pixel;    // X,Y: its shadows, instead of polygons
     bool json = false;
 };
 
@@ -74,11 +76,54 @@ std::string texts_of(const std::vector<PolygonSteps>& polygons, const StepsOptio
     return text;
 }
 
+struct PixelPlace {
+    int x, y;
+};
+
+PixelPlace parse_pixel(const std::string& text, raster::Viewport size) {
+    PixelPlace pixel{};
+    char end = 0;
+    const int read = std::sscanf(text.c_str(), "%d,%d%c", &pixel.x, &pixel.y, &end);
+    const bool is_inside =
+        pixel.x >= 0 && pixel.x < size.width && pixel.y >= 0 && pixel.y < size.height;
+    if (read != 2 || !is_inside) {
+        throw UsageError("pixel '" + text + "': expected X,Y from 0,0 to " +
+                         std::to_string(size.width - 1) + "," + std::to_string(size.height - 1));
+    }
+    return pixel;
+}
+
+/// Of each light.
+std::vector<PixelShadow> shadows_at(const render::Scene& scene, const SceneOptions& options,
+                                    const PixelPlace& pixel) {
+    const auto drawing = render::draw_depth(scene, options.settings, options.size);
+    const raster::Depth depth = drawing.framebuffer.depth.at(pixel.x, pixel.y);
+    std::vector<PixelShadow> shadows;
+    for (std::size_t i = 0; i < scene.lighting.lights.size(); ++i) {
+        shadows.push_back(
+            {pixel.x, pixel.y, i, depth,
+             render::shadow_crossings(scene, options.settings, i, options.size, pixel.x, pixel.y)});
+    }
+    return shadows;
+}
+
+std::string pixel_report(const render::Scene& scene, const StepsOptions& options) {
+    const auto pixel = parse_pixel(options.pixel, options.scene.size);
+    const auto shadows = shadows_at(scene, options.scene, pixel);
+    if (options.json) return shadows_json(shadows);
+    std::string text;
+    for (const PixelShadow& shadow : shadows)
+        text += (text.empty() ? "" : "\n") + shadow_text(shadow);
+    return text;
+}
+
 void steps(const StepsOptions& options) {
     const Model model = load_model(options.scene);
     for (const auto& warning : warnings_of(model))
         std::fprintf(stderr, "scanlight: %s\n", warning.c_str());
     const render::Scene scene = scene_of(model, options.scene);
+    if (!options.pixel.empty())
+        return raster::save_file(options.output, pixel_report(scene, options));
     const Seen seen = render::seen_polygons(scene, options.scene.settings, options.scene.size);
     const auto polygons = trace(scene, options.scene, chosen(seen, options.polygon));
     const StepsSource source{options.scene, scene.camera, seen.size()};
@@ -107,6 +152,14 @@ void add_steps_command(CLI::App& program) {
         ->add_option("--polygon", options->polygon,
                      "a polygon by its number in the file, or all; the tallest if not given")
         ->type_name("N|all");
+    command
+        ->add_option(
+            "--pixel", options->pixel,
+            "instead of polygons, the faces of shadow volumes that this pixel's ray crosses,\n"
+            "with the running counts of z-pass and z-fail")
+        ->type_name("X,Y");
+    command->add_flag("--floor", options->scene.floor,
+                      "a white floor beneath the mesh, four times as wide");
     command->add_flag("--json", options->json, "as JSON, with a header that says what is shown");
     command->add_option("-o,--output", options->output, "file instead of standard output")
         ->type_name("OUT");
@@ -118,7 +171,8 @@ void add_steps_command(CLI::App& program) {
         "Examples:\n"
         "  scanlight steps shape:star --view 0,0\n"
         "  scanlight steps ngon:3 --view 10,30 --light point:0,0,2 --shading phong\n"
-        "  scanlight steps cube --polygon all --json -o cube.json");
+        "  scanlight steps cube --polygon all --json -o cube.json\n"
+        "  scanlight steps cube --floor --shadows zfail --pixel 5,14");
     command->callback([options] { steps(*options); });
 }
 

@@ -291,5 +291,47 @@ TEST(StepsJson, HasThePolygonAskedFor) {
     }
 }
 
+// ---- shadows at a pixel
+
+TEST(StepsPixel, CountsTheSameFromTheEyeAndFromInfinity) {
+    const Shell shell;
+    int in_shadow = 0;
+    for (int x = 0; x < 24; x += 2) {
+        const Json lights = Json::parse(output_of(
+            shell,
+            "scanlight steps cube --floor --light point:-1,3,2 --light world:1,1,1 --json "
+            "--pixel " +
+                std::to_string(x) + ",12"));
+        ASSERT_EQ(lights.size(), 2u);
+        for (const Json& light : lights) {
+            int all = 0;
+            for (const Json& crossing : light["crossings"])
+                all += crossing["enters"].get<int>();
+            EXPECT_EQ(light["zpass"], light["zfail"]);
+            EXPECT_EQ(light["in_shadow"].get<bool>(), light["zfail"] != 0);
+            EXPECT_EQ(all, 0);  // a ray that begins outside ends outside
+            in_shadow += light["in_shadow"].get<bool>() ? 1 : 0;
+        }
+    }
+    EXPECT_GT(in_shadow, 2);
+    EXPECT_LT(in_shadow, 22);
+}
+
+TEST(StepsPixel, IsListedFaceByFaceRoundTheSurface) {
+    const std::string text =
+        output_of(Shell(), "scanlight steps cube --floor --light point:-1,3,2 --pixel 12,8");
+    EXPECT_NE(text.find("Pixel 12,8, light 1: "), std::string::npos) << text;
+    for (const char* word : {"surface", "cap", "side", "z-pass", "z-fail"})
+        EXPECT_NE(text.find(word), std::string::npos) << word << " is not in\n" << text;
+}
+
+TEST(StepsPixel, OutsideThePictureIsRefused) {
+    for (const char* pixel : {"24,0", "0,16", "-1,3", "1", "1,2,3", "a,b"}) {
+        const Outcome outcome = Shell().run(std::string("scanlight steps cube --pixel=") + pixel);
+        EXPECT_EQ(outcome.status, 2) << pixel;
+        EXPECT_NE(outcome.err.find("from 0,0 to 23,15"), std::string::npos) << outcome.err;
+    }
+}
+
 }  // namespace
 }  // namespace scanlight::apps
