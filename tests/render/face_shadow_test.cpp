@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace scanlight::render {
@@ -38,6 +39,18 @@ TEST(FaceShadow, CutsTheChaptersFloor) {
         EXPECT_NEAR(corner.y, 0.0, 1e-12);
         EXPECT_NEAR(std::abs(corner.z), 2.0, 1e-12);
     }
+}
+
+// SHAD.d: the corner (.5, 5, -1) throws its shadow on the wall z = -3 at (1.5, -5, -3).
+TEST(FaceShadow, CutsTheChaptersWall) {
+    const Polygon face{{-0.5, 5, -1}, {0.5, 5, -1}, {0.5, 5, 1}, {-0.5, 5, 1}};
+    const Polygon wall{{-20, -20, -3}, {20, -20, -3}, {20, 20, -3}, {-20, 20, -3}};
+    const Polygon shadowed = FaceShadow(face, light).cut(wall).shadowed;
+    const glm::dvec3 expected(1.5, -5.0, -3.0);
+    EXPECT_TRUE(std::ranges::any_of(shadowed, [&](const glm::dvec3& corner) {
+        const glm::dvec3 off = corner - expected;
+        return glm::dot(off, off) < 1e-20;
+    }));
 }
 
 // SHAD.c
