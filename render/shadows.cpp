@@ -1,6 +1,8 @@
 #include "render/shadows.h"
 
 #include <algorithm>
+#include <deque>
+#include <optional>
 #include <utility>
 
 #include "render/shadow_volume.h"
@@ -34,7 +36,10 @@ public:
     void for_each_part(Visit&& visit) const {
         for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
             const Object& object = scene_.objects[i];
-            const ShadowVolume volume(object, mesh::SilhouetteFinder(*object.mesh), light_, frame_);
+            std::optional<mesh::SilhouetteFinder> own;
+            const mesh::SilhouetteFinder& silhouettes =
+                object.silhouettes != nullptr ? *object.silhouettes : own.emplace(*object.mesh);
+            const ShadowVolume volume(object, silhouettes, light_, frame_);
             const auto deep = deep_for(frame_, reaches_beyond_far(placed(object, frame_)));
             visit_caps(volume, i, deep, visit);
             visit_sides(volume, i, deep, visit);
@@ -85,6 +90,15 @@ private:
     Frame frame_;
     glm::dvec4 light_;
 };
+
+/// All objects bring their silhouettes, so that they are not made anew for each light; `own` holds
+/// what is missing.
+Scene with_silhouettes(Scene scene, std::deque<mesh::SilhouetteFinder>& own) {
+    for (Object& object : scene.objects) {
+        if (object.silhouettes == nullptr) object.silhouettes = &own.emplace_back(*object.mesh);
+    }
+    return scene;
+}
 
 /// The same scene in other light.
 Scene lit_by(Scene scene, shading::Lighting<float> lighting) {
@@ -174,7 +188,9 @@ std::vector<ShadowCrossing> shadow_crossings(const Scene& scene, const Settings&
     return with_joint_cuts(crossings);
 }
 
-Drawing draw_with_shadows(const Scene& scene, const Settings& settings, raster::Viewport viewport) {
+Drawing draw_with_shadows(const Scene& bare, const Settings& settings, raster::Viewport viewport) {
+    std::deque<mesh::SilhouetteFinder> own;
+    const Scene scene = with_silhouettes(bare, own);
     Settings unshadowed = settings;
     unshadowed.shadows = Shadows::none;
     Drawing sum = draw(lit_by(scene, {scene.lighting.ambient, {}}), unshadowed, viewport);

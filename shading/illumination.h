@@ -80,17 +80,17 @@ struct Lighting {
 
 /// The light that `surface` sends to its viewer: the ambient term, then each light in the order of
 /// the list, added one by one, for the bits depend on it. World space; linear, not clamped, never
-/// negative or NaN as long as material and lights are neither and all is finite. `reaches(i)` says
-/// whether the i-th light is seen from the point; a hidden one's term is left out.
-template <class Model, class Real, class Number, class LightNumber, class Reaches>
+/// negative or NaN as long as material and lights are neither and all is finite.
+/// `arriving(i, term)` is what is left of the i-th light's term: nothing where the light is hidden.
+template <class Model, class Real, class Number, class LightNumber, class Arriving>
 Rgb<Real> illuminate(const Model& model, const Surface<Real>& surface,
                      const Material<Number>& material, const Lighting<LightNumber>& lighting,
-                     const Reaches& reaches) noexcept {
+                     const Arriving& arriving) noexcept {
     Rgb<Real> intensity = ambient(Rgb<Real>(lighting.ambient), Rgb<Real>(material.ambient));
     for (std::size_t i = 0; i < lighting.lights.size(); ++i) {
-        const Rgb<Real> term =
-            model(surface, material, incident_at(lighting.lights[i], surface.point));
-        intensity = intensity + select(reaches(i), term, Rgb<Real>(Real(0)));
+        const Light<LightNumber>& light = lighting.lights[i];
+        intensity =
+            intensity + arriving(i, model(surface, material, incident_at(light, surface.point)));
     }
     return intensity;
 }
@@ -100,10 +100,8 @@ template <class Model, class Real, class Number, class LightNumber = Number>
 Rgb<Real> illuminate(const Model& model, const Surface<Real>& surface,
                      const Material<Number>& material,
                      const Lighting<LightNumber>& lighting) noexcept {
-    Rgb<Real> intensity = ambient(Rgb<Real>(lighting.ambient), Rgb<Real>(material.ambient));
-    for (const Light<LightNumber>& light : lighting.lights)
-        intensity = intensity + model(surface, material, incident_at(light, surface.point));
-    return intensity;
+    const auto all = [](std::size_t, const Rgb<Real>& term) { return term; };
+    return illuminate(model, surface, material, lighting, all);
 }
 
 /// The same for a model with its usual constants: `illuminate<Phong>(…)`.

@@ -56,7 +56,7 @@ Json counts_json(const render::DrawCounts& counts) {
               {"shaded", counts.pixels_shaded}}}};
 }
 
-/// Drawing takes the three stages that follow it, and what comes before and after them.
+/// Drawing takes the four stages that follow it, and what comes before and after them.
 Json times_json(const Statistics& s) {
     const auto& stages = s.picture.drawing.seconds;
     return {{"load", time_json(s.model.load_seconds)},

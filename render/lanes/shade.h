@@ -76,12 +76,13 @@ struct PixelLanes {
     }
 };
 
-/// Whether a light reaches a pixel.
-struct Reaches {
+/// What is left of a light's term where some lights are in shadow.
+struct Unshadowed {
     Ints shadowed;
 
-    Mask operator()(std::size_t light) const {
-        return (shadowed & Ints(static_cast<std::int32_t>(1u << light % 32))) == Ints(0);
+    ColorLanes operator()(std::size_t light, const ColorLanes& term) const {
+        const Ints bit(static_cast<std::int32_t>(1u << light % ShadowBand::most_lights));
+        return shading::select((shadowed & bit) == Ints(0), term, ColorLanes(Floats(0)));
     }
 };
 
@@ -115,7 +116,7 @@ private:
             return with_paint(pass_.mesh(), [&](auto paint) {
                 return illuminate(model, surface,
                                   painted_by<paint>(material, [&] { return mean_color(face); }),
-                                  pass_.frame->lighting, Reaches{shadowed});
+                                  pass_.frame->lighting, Unshadowed{shadowed});
             });
         });
     }
@@ -197,7 +198,7 @@ public:
         return light_by_material(pass_, pixels.face(), pixels.shown, [&](const auto& material) {
             return illuminate(model_, surface,
                               painted_by<paint>(material, [&] { return vertex_color(pixels); }),
-                              pass_.frame->lighting, Reaches{pixels.shadowed});
+                              pass_.frame->lighting, Unshadowed{pixels.shadowed});
         });
     }
 
@@ -300,8 +301,9 @@ private:
     /// False where nothing is shown.
     bool read(int x, int y, PixelLanes& pixels) const {
         const raster::PixelPlace at = band_.row(y) + x;
-        const Ints item = load(at.kept(0)) - Ints(faces_.first);
-        pixels.shown = lanes_held(faces_, load(at.kept(0)));
+        const Ints kept = load(at.kept(0));
+        const Ints item = kept - Ints(faces_.first);
+        pixels.shown = lanes_held(faces_, kept);
         if (!any(pixels.shown)) return false;
         pixels.x = x;
         pixels.y = y;

@@ -417,7 +417,7 @@ TEST(Stats, OfTheFastPathTellItsMeansStagesAndMemory) {
     EXPECT_LE(stats["pixels"]["shaded"], stats["pixels"]["passed"]);
     const Json& times = stats["milliseconds"];
     double stages = 0.0;
-    for (const auto* stage : {"vertices", "bins", "bands"})
+    for (const auto* stage : {"vertices", "bins", "shadows", "bands"})
         stages += times[stage].get<double>();
     EXPECT_GT(stages, 0.0);
     EXPECT_LE(stages, times["draw"].get<double>());
