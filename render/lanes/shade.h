@@ -161,11 +161,12 @@ private:
 /// Three attributes of a vector of pixels, and q behind them, times a power of two: see
 /// `undivided`. All of them are multiples of the same power of two, which cancels out without a
 /// rounding. Where there is no perspective, q is 1 and nothing is to be divided.
+inline bool is_undivided(const Ints* a_q) {
+    return all(a_q[3] == Ints(static_cast<std::int32_t>(raster::attribute_one)));
+}
 inline ColorLanes undivided_lanes(const Ints* a_q, float unit) {
-    const Ints one(static_cast<std::int32_t>(raster::attribute_one));
-    const Ints q = a_q[3];
-    const Floats inverse = all(q == one) ? Floats(unit / raster::attribute_one)
-                                         : Floats(unit) / floats_of(max(q, Ints(1)));
+    const Floats inverse = is_undivided(a_q) ? Floats(unit / raster::attribute_one)
+                                             : Floats(unit) / floats_of(max(a_q[3], Ints(1)));
     return ColorLanes(floats_of(a_q[0]), floats_of(a_q[1]), floats_of(a_q[2])) * inverse;
 }
 
@@ -175,6 +176,9 @@ public:
     static constexpr int attributes = 4;
 
     explicit GouraudLanes(const ObjectPass& pass) : unit_(pass.unit) {}
+
+    /// Of one step of an attribute: a power of two.
+    float unit() const { return unit_ / raster::attribute_one; }
 
     ColorLanes shade(const PixelLanes& pixels) const { return color_of(pixels.attributes); }
     ColorLanes color_of(const Ints* attributes) const { return undivided_lanes(attributes, unit_); }
@@ -270,6 +274,9 @@ public:
 
     Ints own(Ints) const { return Ints(0); }
     Kept<1> of(Ints, const Ints* a) const {
+        if constexpr (encoding == raster::Encoding::linear) {
+            if (is_undivided(a)) return {{pack_linear_multiples(a, technique_.unit())}};
+        }
         const ColorLanes color = technique_.color_of(a);
         return {{pack_lanes<encoding>(color.x, color.y, color.z)}};
     }
