@@ -6,6 +6,7 @@
 
 #include "mesh/group.h"
 #include "mesh/polygons.h"
+#include "mesh/uv_gradient.h"
 
 namespace scanlight::mesh {
 namespace {
@@ -21,6 +22,7 @@ public:
         mesh_.corners = first_equals();
         number_vertices();
         move_faces();
+        find_uv_gradients(mesh_);
         return std::move(mesh_);
     }
 

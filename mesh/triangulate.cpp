@@ -1,6 +1,7 @@
 #include "mesh/triangulate.h"
 
 #include "mesh/ear_clipping.h"
+#include "mesh/uv_gradient.h"
 
 namespace scanlight::mesh {
 namespace {
@@ -32,6 +33,7 @@ Mesh triangulated(const Mesh& mesh) {
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
         append_triangles(cut, mesh, face);
     }
+    find_uv_gradients(cut);
     return cut;
 }
 

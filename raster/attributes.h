@@ -7,7 +7,7 @@
 
 namespace scanlight::raster {
 
-inline constexpr int most_attributes = 7;
+inline constexpr int most_attributes = 9;
 
 /// An attribute of all vertices of a mesh, for polygons seen from the front and from the back, each
 /// times its scale. Null stands for 1.

@@ -32,9 +32,13 @@ struct Frame {
     /// The point of the surface that a pixel's centre shows, in world space, from its depth. Depth
     /// is exact over the screen, so no position has to be interpolated.
     glm::vec3 point_at(int x, int y, raster::Depth depth) const {
-        return point_behind(world_from_screen,
-                            glm::vec3(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f,
-                                      raster::ndc_from_depth(depth)));
+        return point_behind(world_from_screen, screen_at(x, y, depth));
+    }
+
+    /// A pixel's centre, at a depth from 0 to 1.
+    static glm::vec3 screen_at(int x, int y, raster::Depth depth) {
+        return {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f,
+                raster::ndc_from_depth(depth)};
     }
 };
 

@@ -46,19 +46,30 @@ void interpolate_intensities(const ObjectPass& pass, raster::Attributes& to) {
     to.count = 4;  // the last is the constant 1
 }
 
-/// See `PhongTechnique`.
+raster::AttributeStream scaled(const std::vector<float>& stream, float scale) {
+    return {stream.data(), stream.data(), scale, scale};
+}
+
+/// See `PhongTechnique` and `TexturedPhongTechnique`.
 void interpolate_normals(const ObjectPass& pass, raster::Attributes& to) {
     const VectorStreams& normals = pass.vertices.normals;
-    to.streams[0] = of_both_sides(normals.x, -1.0f);
-    to.streams[1] = of_both_sides(normals.y, -1.0f);
-    to.streams[2] = of_both_sides(normals.z, -1.0f);
-    to.count = 3;
     const mesh::Vertices& vertices = pass.mesh().vertices;
-    if (!vertices.has_colors()) return;
-    to.streams[3] = of_both_sides(vertices.red, 1.0f);
-    to.streams[4] = of_both_sides(vertices.green, 1.0f);
-    to.streams[5] = of_both_sides(vertices.blue, 1.0f);
-    to.count = 7;
+    int count = 0;
+    const auto add = [&](const raster::AttributeStream& stream) {
+        to.streams[static_cast<std::size_t>(count++)] = stream;
+    };
+    for (const auto* part : {&normals.x, &normals.y, &normals.z})
+        add(of_both_sides(*part, -1.0f));
+    if (pass.textured.has_colors) {
+        for (const auto* channel : {&vertices.red, &vertices.green, &vertices.blue})
+            add(scaled(*channel, 1.0f));
+    }
+    if (pass.textured.has_uvs) {
+        add(scaled(vertices.u, 1.0f / pass.uv_unit));
+        add(scaled(vertices.v, 1.0f / pass.uv_unit));
+    }
+    to.count =
+        pass.textured.count();  // the last, if there is more than the normal, is the constant 1
 }
 
 }  // namespace
@@ -86,6 +97,16 @@ void ObjectPass::begin(const Object& begun, std::size_t first_face, const Frame&
     vertices.resize(mesh().vertices.size(), settings->shading != Shading::phong,
                     settings->shading != Shading::flat);
     polygons = polygons_of(*this);
+    begin_textures();
+}
+
+void ObjectPass::begin_textures() {
+    textured = {mesh().vertices.has_colors(), false};
+    textures.clear();
+    if (settings->shading != Shading::phong || !is_textured(*object)) return;
+    textured = textured_attributes(*object);
+    textures = placed_textures(*object);
+    uv_unit = textured.has_uvs ? uv_unit_of(mesh().vertices) : 1.0f;
 }
 
 void ObjectPass::begin_shadows(std::size_t lights) {

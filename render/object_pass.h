@@ -13,6 +13,7 @@
 #include "render/frame.h"
 #include "render/scene.h"
 #include "render/shadow_sides.h"
+#include "render/textured.h"
 #include "render/vertex_streams.h"
 
 namespace scanlight::render {
@@ -43,6 +44,9 @@ struct ObjectPass {
     VectorStreams front, back;
     float unit = 1.0f;
     std::vector<std::int32_t> vertex_material;  // empty if there is one material only
+    TexturedAttributes textured;                // Phong shading of a textured object:
+    std::vector<PlacedTextures> textures;       // of each material; empty if there are none
+    float uv_unit = 1.0f;                       // by which (u, v) are divided
     raster::PolygonStreams polygons;
     raster::Attributes attributes;
     std::vector<raster::Bin> bins;                          // by stretches of faces
@@ -52,6 +56,7 @@ struct ObjectPass {
     /// Takes over an object, of which nothing is worked out yet; `first_face` is how many faces the
     /// objects before it have.
     void begin(const Object&, std::size_t first_face, const Frame&, const Settings&);
+    void begin_textures();
     /// Makes room for the shadows of so many lights.
     void begin_shadows(std::size_t lights);
     /// Makes room for the light of the vertices.

@@ -16,7 +16,8 @@ PlacedMesh placed(const Object& object, const Frame& frame) {
     const glm::dmat4 clip_from_object = frame.clip_from_world * object.world_from_object;
     const glm::mat3 normals_from_object(glm::transpose(glm::inverse(linear)));
 
-    PlacedMesh result{&mesh, &object.materials, glm::determinant(linear) < 0.0, {}, {}, {}, {}};
+    PlacedMesh result{&object, &mesh, &object.materials, glm::determinant(linear) < 0.0, {}, {},
+                      {},      {}};
     const std::size_t count = mesh.vertices.size();
     result.clip.reserve(count);
     result.points.reserve(count);

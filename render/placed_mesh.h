@@ -18,6 +18,7 @@ enum class Side { front, back };
 
 /// An object's mesh with its vertices where the camera sees them.
 struct PlacedMesh {
+    const Object* object;
     const mesh::Mesh* mesh;
     const std::vector<shading::Material<float>>* materials;
     bool mirrored;                        // the placing turns front faces into clockwise ones

@@ -11,6 +11,7 @@
 #include "render/camera.h"
 #include "shading/illumination.h"
 #include "shading/material.h"
+#include "shading/surface_textures.h"
 
 namespace scanlight::render {
 
@@ -21,6 +22,8 @@ struct Object {
     glm::dmat4 world_from_object{1.0};
     /// Of the mesh, for shadows: kept by a caller who draws it more than once. Made where null.
     const mesh::SilhouetteFinder* silhouettes = nullptr;
+    /// Of each material; empty where nothing is textured.
+    std::vector<shading::SurfaceTextures> textures{};
 };
 
 struct Scene {

@@ -88,8 +88,12 @@ void Walker::draw(raster::FaceItem face, raster::SpanPainter& spans) {
             return walk<3>(face, spans);
         case 4:
             return walk<4>(face, spans);
+        case 6:
+            return walk<6>(face, spans);
         case 7:
             return walk<7>(face, spans);
+        case 9:
+            return walk<9>(face, spans);
         default:
             assert(false && "no technique has so many attributes");
     }

@@ -21,7 +21,8 @@ struct WalkMemory {
     raster::PolygonFiller<N> filler;
     std::vector<raster::ScreenVertex<N>> corners;
 };
-using WalkMemories = std::tuple<WalkMemory<0>, WalkMemory<3>, WalkMemory<4>, WalkMemory<7>>;
+using WalkMemories = std::tuple<WalkMemory<0>, WalkMemory<3>, WalkMemory<4>, WalkMemory<6>,
+                                WalkMemory<7>, WalkMemory<9>>;
 
 /// The textbook's way within the fast path: n-gons, clipped polygons and slivers go down their
 /// edges, span by span.

@@ -18,9 +18,8 @@ Vec3<Real> half_vector(const Vec3<Real>& L, const Vec3<Real>& V) noexcept {
 /// Unit vectors pointing away from the surface. 0 where N.L <= 0. In the plane of N, L and V the
 /// angle between N and H is half of that between R and V, so the highlight is as wide as Phong's
 /// with 4n. H is an argument because light and eye at infinity have but one.
-template <class Real>
-Real blinn(const Vec3<Real>& N, const Vec3<Real>& L, const Vec3<Real>& H,
-           const Exponent& n) noexcept {
+template <class Real, class Power>
+Real blinn(const Vec3<Real>& N, const Vec3<Real>& L, const Vec3<Real>& H, const Power& n) noexcept {
     const Real highlight = power(positive_part(dot(N, H)), n);
     return select(dot(L, N) > Real(0), highlight, Real(0));
 }

@@ -22,8 +22,8 @@ namespace scanlight::shading {
 
 /// Diffuse light only.
 struct Lambert {
-    template <class Real, class Number>
-    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number>& material,
+    template <class Real, class Number, class Power>
+    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number, Power>& material,
                          const Incident<Real>& light) const noexcept {
         const Rgb<Real> K_d(material.diffuse);
         return light.intensity * (K_d * lambert(surface.normal, light.direction));
@@ -32,8 +32,8 @@ struct Lambert {
 
 /// Diffuse light and a highlight around the mirrored light, (R.V)^n.
 struct Phong {
-    template <class Real, class Number>
-    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number>& material,
+    template <class Real, class Number, class Power>
+    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number, Power>& material,
                          const Incident<Real>& light) const noexcept {
         const auto& [point, N, V] = surface;
         const Vec3<Real>& L = light.direction;
@@ -45,8 +45,8 @@ struct Phong {
 
 /// Diffuse light and a highlight around the half vector, (N.H)^n.
 struct Blinn {
-    template <class Real, class Number>
-    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number>& material,
+    template <class Real, class Number, class Power>
+    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number, Power>& material,
                          const Incident<Real>& light) const noexcept {
         const auto& [point, N, V] = surface;
         const Vec3<Real>& L = light.direction;
@@ -62,8 +62,8 @@ struct Blinn {
 struct Gouraud1971 {
     float k = 1;  // world units
 
-    template <class Real, class Number>
-    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number>& material,
+    template <class Real, class Number, class Power>
+    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number, Power>& material,
                          const Incident<Real>& light) const noexcept {
         const Rgb<Real> K_d(material.diffuse);
         return light.intensity *
@@ -82,9 +82,9 @@ struct Lighting {
 /// the list, added one by one, for the bits depend on it. World space; linear, not clamped, never
 /// negative or NaN as long as material and lights are neither and all is finite.
 /// `arriving(i, term)` is what is left of the i-th light's term: nothing where the light is hidden.
-template <class Model, class Real, class Number, class LightNumber, class Arriving>
+template <class Model, class Real, class Number, class Power, class LightNumber, class Arriving>
 Rgb<Real> illuminate(const Model& model, const Surface<Real>& surface,
-                     const Material<Number>& material, const Lighting<LightNumber>& lighting,
+                     const Material<Number, Power>& material, const Lighting<LightNumber>& lighting,
                      const Arriving& arriving) noexcept {
     Rgb<Real> intensity = ambient(Rgb<Real>(lighting.ambient), Rgb<Real>(material.ambient));
     for (std::size_t i = 0; i < lighting.lights.size(); ++i) {

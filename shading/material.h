@@ -6,12 +6,13 @@
 namespace scanlight::shading {
 
 /// How a surface answers light. Each K is linear, channel by channel, and usually within 0 to 1.
-template <class Number>
+/// `Power` is `Exponent`, or `VaryingExponent` where each lane has its own.
+template <class Number, class Power = Exponent>
 struct Material {
     Rgb<Number> ambient{Number(0.2)};  // K_a
     Rgb<Number> diffuse{Number(0.8)};  // K_d
     Rgb<Number> specular{Number(0)};   // K_s
-    Exponent exponent = 1;  // n, usually 1 to 2000: the larger, the smaller the highlight
+    Power exponent{1};  // n, usually 1 to 2000: the larger, the smaller the highlight
 };
 
 }  // namespace scanlight::shading

@@ -11,9 +11,8 @@ namespace scanlight::shading {
 ///     ((R.V)+)^n, to be multiplied by I_p K_s
 /// Unit vectors pointing away from the surface. 0 where N.L <= 0: a light behind the surface leaves
 /// no highlight on it.
-template <class Real>
-Real phong(const Vec3<Real>& N, const Vec3<Real>& L, const Vec3<Real>& V,
-           const Exponent& n) noexcept {
+template <class Real, class Power>
+Real phong(const Vec3<Real>& N, const Vec3<Real>& L, const Vec3<Real>& V, const Power& n) noexcept {
     const Real highlight = power(positive_part(dot(reflected(L, N), V)), n);
     return select(dot(L, N) > Real(0), highlight, Real(0));
 }

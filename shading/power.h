@@ -43,4 +43,21 @@ Real power(Real x, const Exponent& n) noexcept {
     return select(counts, value, Real(0));
 }
 
+/// An n that differs from place to place, 0 to 2^24.
+template <class Real>
+struct VaryingExponent {
+    Real value;
+};
+
+/// x^n, as for an `Exponent` that is no whole number; the same limits.
+template <class Real>
+Real power(Real x, const VaryingExponent<Real>& n) noexcept {
+    const auto counts = x >= Real(0x1p-126f);
+    const Real base = select(counts, select(x < Real(1), x, Real(1)), Real(1));
+    const Real t = n.value * log2_of(base);
+    const auto is_large = t >= Real(-100);
+    const Real value = select(is_large, exp2_of(select(is_large, t, Real(0))), Real(0));
+    return select(counts, value, select(n.value > Real(0), Real(0), Real(1)));
+}
+
 }  // namespace scanlight::shading

@@ -47,6 +47,8 @@ struct Format<float> {
     static constexpr Integer bias = 127;
     static constexpr std::size_t log2_terms = 5;
     static constexpr std::size_t exp2_terms = 7;
+    static constexpr std::size_t sine_terms = 7;
+    static constexpr std::size_t arctangent_terms = 9;
 };
 
 template <>
@@ -57,6 +59,8 @@ struct Format<double> {
     static constexpr Integer bias = 1023;
     static constexpr std::size_t log2_terms = 10;
     static constexpr std::size_t exp2_terms = 13;
+    static constexpr std::size_t sine_terms = 11;
+    static constexpr std::size_t arctangent_terms = 20;
 };
 
 /// x = mantissa * 2^exponent, with the mantissa in [sqrt(1/2), sqrt(2)).

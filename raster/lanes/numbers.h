@@ -111,6 +111,9 @@ inline Ints operator&(Ints a, Ints b) {
 inline Ints operator|(Ints a, Ints b) {
     return hn::Or(a.v, b.v);
 }
+inline Ints operator^(Ints a, Ints b) {
+    return hn::Xor(a.v, b.v);
+}
 inline Ints& operator+=(Ints& a, Ints b) {
     return a = a + b;
 }
@@ -142,6 +145,14 @@ Ints shift_left(Ints a) {
 template <int bits>
 Ints shift_right(Ints a) {
     return hn::ShiftRight<bits>(a.v);
+}
+
+/// Zeros come in at the other end.
+inline Ints bits_moved_up(Ints a, int by) {
+    return hn::ShiftLeftSame(a.v, by);
+}
+inline Ints bits_moved_down(Ints a, int by) {
+    return hn::BitCast(IntTag(), hn::ShiftRightSame(hn::BitCast(UnsignedTag(), a.v), by));
 }
 
 // ---- comparisons
@@ -208,6 +219,9 @@ inline hn::Mask<IntTag> int_mask(Mask mask) {
 }
 inline bool any(Mask mask) {
     return !hn::AllFalse(FloatTag(), mask.m);
+}
+inline bool none(Mask mask) {
+    return !any(mask);
 }
 inline bool all(Mask mask) {
     return hn::AllTrue(FloatTag(), mask.m);

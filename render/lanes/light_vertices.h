@@ -43,7 +43,8 @@ private:
         };
         const auto& materials = pass_.object->materials;
         if (pass_.vertex_material.empty()) return lit(materials.front());
-        return by_material(materials, load(pass_.vertex_material.data() + i), first_lanes(n_), lit);
+        return by_material(load(pass_.vertex_material.data() + i), first_lanes(n_),
+                           [&](std::size_t number) { return lit(materials[number]); });
     }
 
     Floats some(const std::vector<float>& stream, std::size_t i) const {

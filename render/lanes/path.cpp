@@ -54,8 +54,12 @@ void see(const ObjectPass& pass, std::span<const raster::FaceItem> items, const 
             return draw(pass, items, KeepAttributes<3>(first), band, walker);
         case 4:
             return draw(pass, items, KeepAttributes<4>(first), band, walker);
+        case 6:
+            return draw(pass, items, KeepAttributes<6>(first), band, walker);
         case 7:
             return draw(pass, items, KeepAttributes<7>(first), band, walker);
+        case 9:
+            return draw(pass, items, KeepAttributes<9>(first), band, walker);
         default:
             raster::HWY_NAMESPACE::lane_path.draw_items(pass.polygons, items, first, band, walker);
     }
@@ -87,6 +91,11 @@ std::size_t light_band(const ObjectPass& pass, raster::VisibleBand& band, const 
     };
     if (pass.settings->shading == Shading::flat) return light(FlatLanes(pass));
     if (pass.settings->shading == Shading::gouraud) return light(GouraudLanes(pass));
+    if (!pass.textures.empty()) {
+        return with_model(*pass.settings, [&](auto model) {
+            return light(TexturedPhongLanes<decltype(model)>(pass, model));
+        });
+    }
     return with_model(*pass.settings, [&](auto model) {
         return with_paint(pass.mesh(), [&](auto paint) {
             return light(PhongLanes<decltype(model), paint>(pass, model));

@@ -18,6 +18,23 @@ template <>
 struct Format<raster::HWY_NAMESPACE::Floats> : Format<float> {};
 }  // namespace scanlight::shading
 
+namespace scanlight::shading {
+template <>
+struct Wholes<raster::HWY_NAMESPACE::Floats> {
+    using Floats = raster::HWY_NAMESPACE::Floats;
+    using Type = raster::HWY_NAMESPACE::Ints;
+
+    static Type truncated(Floats x) { return raster::HWY_NAMESPACE::truncated(x); }
+    static Floats real(Type whole) { return floats_of(whole); }
+    static Type fetched(const std::int32_t* from, Type index) { return gather(from, index); }
+    static Type shifted_left(Type bits, int by) { return bits_moved_up(bits, by); }
+    static Type shifted_right(Type bits, int by) { return bits_moved_down(bits, by); }
+    static Type sum(Type a, Type b) { return a + b; }
+    static Type product(Type a, Type b) { return a * b; }
+    static Floats real_of_float_bits(Type bits) { return floats_from_bits(bits); }
+};
+}  // namespace scanlight::shading
+
 namespace scanlight::render::HWY_NAMESPACE {
 
 using namespace raster::HWY_NAMESPACE;
@@ -31,18 +48,17 @@ inline VectorLanes gather(const std::vector<glm::vec3>& vectors, Ints index) {
     return {gather(base, first), gather(base, first + Ints(1)), gather(base, first + Ints(2))};
 }
 
-/// Calls `light(material)` for each of the materials among the wanted lanes, and joins what comes
-/// of it. Most vectors have one.
+/// Calls `light(number)` for the number of each material among the wanted lanes, and joins what
+/// comes of it. Most vectors have one.
 template <class Light>
-ColorLanes by_material(const std::vector<shading::Material<float>>& materials, Ints material,
-                       Mask wanted, Light&& light) {
+ColorLanes by_material(Ints material, Mask wanted, Light&& light) {
     ColorLanes result(Floats(0));
     for (std::uint32_t left = bits_of(wanted); left != 0;) {
         std::int32_t numbers[lane_count];
         store(material, numbers);
         const std::int32_t number = numbers[std::countr_zero(left)];
         const Mask same = material == Ints(number);
-        result = shading::select(same, light(materials[static_cast<std::size_t>(number)]), result);
+        result = shading::select(same, light(static_cast<std::size_t>(number)), result);
         left &= ~bits_of(same);
     }
     return result;
@@ -54,7 +70,8 @@ ColorLanes light_by_material(const ObjectPass& pass, Ints face, Mask wanted, Lig
     const auto& materials = pass.object->materials;
     if (materials.size() == 1) return light(materials.front());
     const auto* numbers = reinterpret_cast<const std::int32_t*>(pass.mesh().face_material.data());
-    return by_material(materials, gather(numbers, face), wanted, light);
+    return by_material(gather(numbers, face), wanted,
+                       [&](std::size_t number) { return light(materials[number]); });
 }
 
 // ---- techniques: what a vector of pixels looks like
@@ -187,6 +204,28 @@ private:
     float unit_;
 };
 
+/// `Frame::screen_at`.
+inline VectorLanes screen_at(const PixelLanes& pixels) {
+    return {floats_of(Ints(pixels.x) + iota()) + Floats(0.5f),
+            Floats(static_cast<float>(pixels.y) + 0.5f),
+            floats_of(pixels.depth) * Floats(raster::ndc_a_depth)};
+}
+
+/// Of the side seen, world space.
+inline VectorLanes face_normal(const ObjectPass& pass, const PixelLanes& pixels) {
+    const VectorLanes normal = transformed_normal(pass.placing.normals_from_object,
+                                                  gather(pass.mesh().face_normals, pixels.face()));
+    return shading::select(pixels.back(), -normal, normal);
+}
+
+/// The interpolated normal; where opposed ones cancel, the polygon's own.
+inline VectorLanes normal_at(const ObjectPass& pass, const PixelLanes& pixels) {
+    const VectorLanes n = pixels.vector(0);
+    const VectorLanes normal = shading::unit_or(n, VectorLanes(Floats(0)));
+    const Mask lost = pixels.shown & !(shading::dot(normal, normal) > Floats(0));
+    return any(lost) ? shading::unit_or(n, face_normal(pass, pixels)) : normal;
+}
+
 /// Interpolated normals, lit pixel by pixel: see `PhongTechnique`.
 template <class Model, Paint paint>
 class PhongLanes {
@@ -197,7 +236,7 @@ public:
 
     ColorLanes shade(const PixelLanes& pixels) const {
         const VectorLanes point = point_at(pixels);
-        const shading::Surface<Floats> surface{point, normal_at(pixels),
+        const shading::Surface<Floats> surface{point, normal_at(pass_, pixels),
                                                view_from(pass_.frame->viewpoint, point)};
         return light_by_material(pass_, pixels.face(), pixels.shown, [&](const auto& material) {
             return illuminate(model_, surface,
@@ -207,32 +246,77 @@ public:
     }
 
 private:
-    /// `Frame::point_at`.
-    VectorLanes point_at(const PixelLanes& lanes) const {
-        const VectorLanes screen(floats_of(Ints(lanes.x) + iota()) + Floats(0.5f),
-                                 Floats(static_cast<float>(lanes.y) + 0.5f),
-                                 ndc_from_depth_lanes(lanes.depth));
-        return point_behind(pass_.frame->world_from_screen, screen);
-    }
-    static Floats ndc_from_depth_lanes(Ints depth) {
-        return floats_of(depth) * Floats(raster::ndc_a_depth);
-    }
-
-    VectorLanes normal_at(const PixelLanes& pixels) const {
-        const VectorLanes n = pixels.vector(0);
-        const VectorLanes normal = shading::unit_or(n, VectorLanes(Floats(0)));
-        const Mask lost = pixels.shown & !(shading::dot(normal, normal) > Floats(0));
-        return any(lost) ? shading::unit_or(n, face_normal(pixels)) : normal;
-    }
-
-    VectorLanes face_normal(const PixelLanes& pixels) const {
-        const VectorLanes normal = transformed_normal(
-            pass_.placing.normals_from_object, gather(pass_.mesh().face_normals, pixels.face()));
-        return shading::select(pixels.back(), -normal, normal);
+    VectorLanes point_at(const PixelLanes& pixels) const {
+        return point_behind(pass_.frame->world_from_screen, screen_at(pixels));
     }
 
     VectorLanes vertex_color(const PixelLanes& pixels) const {
         return undivided_lanes(pixels.attributes + 3, 1.0f);
+    }
+
+    const ObjectPass& pass_;
+    Model model_;
+};
+
+/// See `TexturedPhongTechnique`.
+template <class Model>
+class TexturedPhongLanes {
+public:
+    const int attributes;
+
+    TexturedPhongLanes(const ObjectPass& pass, const Model& model)
+        : attributes(pass.textured.count()), pass_(pass), model_(model) {}
+
+    ColorLanes shade(const PixelLanes& pixels) const {
+        const TexturedSurface<Floats> surface = surface_at(pixels);
+        const auto& numbers = pass_.mesh().face_material;
+        const Ints material =
+            pass_.textures.size() == 1
+                ? Ints(0)
+                : gather(reinterpret_cast<const std::int32_t*>(numbers.data()), pixels.face());
+        return by_material(material, pixels.shown, [&](std::size_t number) {
+            return illuminate_textured(model_, surface, pass_.object->materials[number],
+                                       pass_.textures[number], pass_.frame->lighting,
+                                       Unshadowed{pixels.shadowed});
+        });
+    }
+
+private:
+    TexturedSurface<Floats> surface_at(const PixelLanes& pixels) const {
+        const glm::mat4& world_from_screen = pass_.frame->world_from_screen;
+        const VectorLanes screen = screen_at(pixels);
+        const VectorLanes point = point_behind(world_from_screen, screen);
+        const auto steps =
+            pixel_steps(world_from_screen, screen, point, face_normal(pass_, pixels));
+        return {{point, normal_at(pass_, pixels), view_from(pass_.frame->viewpoint, point)},
+                {point, own_place(pixels), steps.x, steps.y},
+                color(pixels),
+                select(pixels.back(), Floats(-1), Floats(1))};
+    }
+
+    ColorLanes color(const PixelLanes& pixels) const {
+        if (!pass_.textured.has_colors) return ColorLanes(Floats(1));
+        return undivided(pixels, pass_.textured.colors(), 3);
+    }
+
+    shading::TexturePlace<Floats> own_place(const PixelLanes& pixels) const {
+        const VectorLanes nothing(Floats(0));
+        if (!pass_.textured.has_uvs) return {Floats(0), Floats(0), nothing, nothing};
+        const VectorLanes uv = undivided(pixels, pass_.textured.uvs(), 2);
+        const glm::mat3& gradients = pass_.placing.normals_from_object;
+        const auto gradient = [&](const std::vector<glm::vec3>& of_faces) {
+            return transformed_gradient(gradients, gather(of_faces, pixels.face()));
+        };
+        return {uv.x * Floats(pass_.uv_unit), uv.y * Floats(pass_.uv_unit),
+                gradient(pass_.mesh().face_grad_u), gradient(pass_.mesh().face_grad_v)};
+    }
+
+    /// So many attributes from the `first` on, divided by q.
+    ColorLanes undivided(const PixelLanes& pixels, int first, int count) const {
+        const Ints* a = pixels.attributes;
+        const Ints third = count == 3 ? a[first + 2] : Ints(0);
+        const Ints a_q[4] = {a[first], a[first + 1], third, a[pass_.textured.q()]};
+        return undivided_lanes(a_q, 1.0f);
     }
 
     const ObjectPass& pass_;
@@ -317,7 +401,7 @@ private:
         pixels.depth = load(at.depth);
         pixels.shadowed = shadows_ == nullptr ? Ints(0) : load(shadows_->row(y) + x);
         pixels.item = all(pixels.shown) ? item : with_neighbours(item, pixels.shown);
-        for (int k = 0; k < Technique::attributes; ++k)
+        for (int k = 0; k < technique_.attributes; ++k)
             pixels.attributes[k] = load(at.kept(k + 1));
         return true;
     }

@@ -44,6 +44,9 @@ NamedScenes soup_scenes();
 /// Shadows of several objects in several lights.
 NamedScenes shadow_scenes();
 
+/// Every kind of texture, on every attribute.
+NamedScenes texture_scenes();
+
 /// All of them.
 NamedScenes all_scenes();
 

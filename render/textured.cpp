@@ -1,0 +1,46 @@
+#include "render/textured.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/matrix.hpp>
+
+#include "render/gouraud.h"
+
+namespace scanlight::render {
+
+namespace {
+
+PlacedTextures placed(const shading::SurfaceTextures& textures,
+                      const glm::mat4& object_from_world) {
+    const auto place = [&](const std::optional<shading::Texture>& t) {
+        PlacedTextures::Slot slot;
+        if (t) slot = {&*t, t->texture_from_object * object_from_world};
+        return slot;
+    };
+    return {place(textures.ambient),  place(textures.diffuse), place(textures.specular),
+            place(textures.exponent), place(textures.bump),    place(textures.normal),
+            textures.bump_height,     textures.normal_scale};
+}
+
+}  // namespace
+
+std::vector<PlacedTextures> placed_textures(const Object& object) {
+    const glm::mat4 object_from_world(glm::inverse(object.world_from_object));
+    std::vector<PlacedTextures> result;
+    for (const auto& textures : object.textures)
+        result.push_back(placed(textures, object_from_world));
+    return result;
+}
+
+float uv_unit_of(const mesh::Vertices& vertices) {
+    float largest = 0.0f;
+    for (const auto* stream : {&vertices.u, &vertices.v}) {
+        for (const float value : *stream) {
+            if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+        }
+    }
+    return unit_for(largest);
+}
+
+}  // namespace scanlight::render

@@ -1,0 +1,165 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include "render/frame.h"
+#include "render/painted.h"
+#include "render/scene.h"
+#include "shading/bump.h"
+#include "shading/illumination.h"
+#include "shading/surface_textures.h"
+
+namespace scanlight::render {
+
+// Textured surfaces, lit pixel by pixel. Templates on the number type, as in shading/real.h: both
+// paths draw by them.
+
+/// What is interpolated over a textured object for Phong shading: the normal; colours and (u, v)
+/// if there are any; and the constant 1 that these are divided by.
+struct TexturedAttributes {
+    bool has_colors = false;
+    bool has_uvs = false;
+
+    constexpr int colors() const { return 3; }
+    constexpr int uvs() const { return has_colors ? 6 : 3; }
+    constexpr int q() const { return uvs() + (has_uvs ? 2 : 0); }
+    constexpr int count() const { return has_colors || has_uvs ? q() + 1 : 3; }
+};
+
+inline TexturedAttributes textured_attributes(const Object& object) {
+    const auto& textures = object.textures;
+    const bool needs_uv = std::ranges::any_of(textures, &shading::SurfaceTextures::needs_uv);
+    return {object.mesh->vertices.has_colors(), needs_uv && object.mesh->vertices.has_uvs()};
+}
+
+inline bool is_textured(const Object& object) {
+    return std::ranges::any_of(object.textures, &shading::SurfaceTextures::any);
+}
+
+/// The textures of a material, on an object.
+struct PlacedTextures {
+    using Slot = std::optional<shading::PlacedTexture>;
+    Slot ambient, diffuse, specular, exponent, bump, normal;
+    float bump_height, normal_scale;
+};
+
+/// Of each of the object's materials.
+std::vector<PlacedTextures> placed_textures(const Object& object);
+
+/// The power of two, not below 1, by which (u, v) are divided when they are interpolated.
+float uv_unit_of(const mesh::Vertices& vertices);
+
+/// From a pixel to what its neighbours show of the plane with this normal through its point, world
+/// space. `screen` as in `point_behind`. Zero where the plane is seen edge-on.
+template <class Real>
+struct PixelSteps {
+    shading::Vec3<Real> x, y;
+};
+
+template <class Real>
+PixelSteps<Real> pixel_steps(const glm::mat4& world_from_screen, const shading::Vec3<Real>& screen,
+                             const shading::Vec3<Real>& point, const shading::Vec3<Real>& normal) {
+    const Real inverse_w = Real(1) / point_component(world_from_screen, 3, screen);
+    const auto derivative = [&](int column) {
+        const auto& c = world_from_screen[column];
+        return shading::Vec3<Real>((Real(c.x) - point.x * Real(c.w)) * inverse_w,
+                                   (Real(c.y) - point.y * Real(c.w)) * inverse_w,
+                                   (Real(c.z) - point.z * Real(c.w)) * inverse_w);
+    };
+    const shading::Vec3<Real> deeper = derivative(2);
+    const Real facing = shading::dot(normal, deeper);
+    const auto seen = facing * facing > Real(0);
+    using shading::select;
+    const Real inverse = Real(1) / select(seen, facing, Real(1));
+    const auto along = [&](const shading::Vec3<Real>& step) {
+        const auto on_plane = step - deeper * (shading::dot(normal, step) * inverse);
+        return shading::select(seen, on_plane, shading::Vec3<Real>(Real(0)));
+    };
+    return {along(derivative(0)), along(derivative(1))};
+}
+
+/// A gradient by the inverse transpose of the matrix that takes points.
+template <class Real>
+shading::Vec3<Real> transformed_gradient(const glm::mat3& m, const shading::Vec3<Real>& g) {
+    return {direction_component(m, 0, g), direction_component(m, 1, g),
+            direction_component(m, 2, g)};
+}
+
+/// A surface that is to be lit, with what its textures need. `outward` is -1 where its back is
+/// seen, and 1 elsewhere; `color` multiplies the body's own.
+template <class Real>
+struct TexturedSurface {
+    shading::Surface<Real> surface;
+    shading::TextureSite<Real> site;
+    shading::Rgb<Real> color;
+    Real outward;
+};
+
+template <class Real>
+shading::Rgb<Real> color_on(const PlacedTextures::Slot& slot,
+                            const shading::TextureSite<Real>& site) {
+    return slot ? shading::value_at(*slot, site).color : shading::Rgb<Real>(Real(1));
+}
+
+/// The normal as bump and normal map leave it.
+template <class Real>
+shading::Vec3<Real> wrinkled(const PlacedTextures& textures, const TexturedSurface<Real>& s) {
+    using shading::Vec3;
+    Vec3<Real> N = s.surface.normal;
+    if (textures.bump) {
+        const auto gradient = shading::height_gradient_at(*textures.bump, s.site);
+        N = shading::bumped_normal(N, gradient * (s.outward * Real(textures.bump_height)));
+    }
+    if (textures.normal) {
+        const auto texel = shading::value_at(*textures.normal, s.site).color;
+        const Real scale = Real(2 * textures.normal_scale) * s.outward;
+        const Vec3<Real> map((texel.x - Real(0.5)) * scale, (texel.y - Real(0.5)) * scale,
+                             texel.z * Real(2) - Real(1));
+        N = shading::mapped_normal(N, map, place_on(*textures.normal, s.site));
+    }
+    return shading::kept_in_sight(N, s.surface.normal, s.surface.view);
+}
+
+template <class Real>
+shading::Material<Real> textured(const shading::Material<float>& material,
+                                 const PlacedTextures& textures, const TexturedSurface<Real>& s) {
+    const auto body = s.color * color_on(textures.diffuse, s.site);
+    shading::Material<Real> result = painted(material, body);
+    if (textures.ambient) {
+        result.ambient =
+            shading::Rgb<Real>(material.ambient) * (s.color * color_on(textures.ambient, s.site));
+    }
+    result.specular = result.specular * color_on(textures.specular, s.site);
+    return result;
+}
+
+/// The material with an n of each lane's own.
+template <class Real>
+shading::Material<Real, shading::VaryingExponent<Real>> with_exponent(
+    const shading::Material<Real>& material, Real factor) {
+    const Real n = Real(material.exponent.value()) * shading::positive_part(factor);
+    const Real most(0x1p24f);
+    using shading::select;
+    return {material.ambient, material.diffuse, material.specular, {select(n < most, n, most)}};
+}
+
+/// `illuminate`, of a textured surface.
+template <class Model, class Real, class Arriving>
+shading::Rgb<Real> illuminate_textured(const Model& model, const TexturedSurface<Real>& s,
+                                       const shading::Material<float>& material,
+                                       const PlacedTextures& textures,
+                                       const shading::Lighting<float>& lighting,
+                                       const Arriving& arriving) {
+    const shading::Surface<Real> surface{s.surface.point, wrinkled(textures, s), s.surface.view};
+    const shading::Material<Real> here = textured(material, textures, s);
+    if (!textures.exponent) return illuminate(model, surface, here, lighting, arriving);
+    const Real factor = shading::luminance(shading::value_at(*textures.exponent, s.site).color);
+    return illuminate(model, surface, with_exponent(here, factor), lighting, arriving);
+}
+
+}  // namespace scanlight::render

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "raster/fragments.h"
+#include "render/placed_mesh.h"
+#include "render/textured.h"
+#include "render/undivided.h"
+
+namespace scanlight::render {
+
+/// Phong shading of a textured object with `count` attributes, see `TexturedAttributes`.
+template <class Model, int count>
+class TexturedPhongTechnique {
+public:
+    static constexpr int attribute_count = count;
+    static constexpr TexturedAttributes has{count == 7 || count == 9, count == 6 || count == 9};
+    using Pixel = raster::Rgba;
+
+    struct Polygon {
+        const shading::Material<float>& material;
+        const PlacedTextures& textures;
+        glm::vec3 normal;  // of the side seen
+        glm::vec3 grad_u, grad_v;
+        float outward;
+    };
+
+    TexturedPhongTechnique(const PlacedMesh& placed, const Frame& frame, Model model)
+        : placed_(placed),
+          frame_(frame),
+          model_(model),
+          textures_(placed_textures(*placed.object)),
+          uv_unit_(has.has_uvs ? uv_unit_of(placed.mesh->vertices) : 1.0f),
+          gradients_(glm::transpose(glm::inverse(glm::dmat3(placed.object->world_from_object)))) {}
+
+    std::array<float, attribute_count> corner(std::size_t, std::uint32_t vertex, Side side) const {
+        const auto& vertices = placed_.mesh->vertices;
+        std::array<float, attribute_count> a;
+        put(a, 0, placed_.normal_seen(vertex, side));
+        if constexpr (has.has_colors) put(a, has.colors(), vertices.color(vertex));
+        if constexpr (has.has_uvs) {
+            a[at(has.uvs())] = vertices.u[vertex] * (1.0f / uv_unit_);
+            a[at(has.uvs() + 1)] = vertices.v[vertex] * (1.0f / uv_unit_);
+        }
+        if constexpr (count > 3) a[at(has.q())] = 1.0f;
+        return a;
+    }
+
+    Polygon polygon(std::size_t face, Side side) const {
+        const mesh::Mesh& mesh = *placed_.mesh;
+        Polygon polygon{placed_.material_of(face),
+                        textures_[mesh.face_material[face]],
+                        placed_.face_normal_seen(face, side),
+                        {},
+                        {},
+                        side == Side::front ? 1.0f : -1.0f};
+        if constexpr (has.has_uvs) {
+            polygon.grad_u = transformed_gradient(gradients_, mesh.face_grad_u[face]);
+            polygon.grad_v = transformed_gradient(gradients_, mesh.face_grad_v[face]);
+        }
+        return polygon;
+    }
+
+    raster::Rgba shade(const raster::Fragment<attribute_count>& fragment,
+                       const Polygon& polygon) const {
+        const auto& a = fragment.attributes;
+        const glm::vec3 screen = frame_.screen_at(fragment.x, fragment.y, fragment.depth);
+        const glm::vec3 point = point_behind(frame_.world_from_screen, screen);
+        const glm::vec3 normal = shading::unit_or(glm::vec3(a[0], a[1], a[2]), polygon.normal);
+        const auto steps = pixel_steps(frame_.world_from_screen, screen, point, polygon.normal);
+        const TexturedSurface<float> surface{{point, normal, frame_.view_from(point)},
+                                             {point, own_place(a, polygon), steps.x, steps.y},
+                                             color(a),
+                                             polygon.outward};
+        return raster::Rgba(
+            illuminate_textured(model_, surface, polygon.material, polygon.textures,
+                                frame_.lighting,
+                                [](std::size_t, const glm::vec3& term) { return term; }),
+            1.0f);
+    }
+
+private:
+    using Values = std::array<float, attribute_count>;
+
+    static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
+    static void put(Values& a, int first, const glm::vec3& v) {
+        for (int i = 0; i < 3; ++i)
+            a[at(first + i)] = v[i];
+    }
+
+    static glm::vec3 color(const Values& a) {
+        if constexpr (!has.has_colors) return glm::vec3(1.0f);
+        constexpr std::size_t c = at(has.colors());
+        return undivided(glm::vec3(a[c], a[c + 1], a[c + 2]), a[at(has.q())]);
+    }
+
+    shading::TexturePlace<float> own_place(const Values& a, const Polygon& polygon) const {
+        if constexpr (!has.has_uvs) return {};
+        const glm::vec3 uv =
+            undivided(glm::vec3(a[at(has.uvs())], a[at(has.uvs() + 1)], 0.0f), a[at(has.q())]);
+        return {uv.x * uv_unit_, uv.y * uv_unit_, polygon.grad_u, polygon.grad_v};
+    }
+
+    const PlacedMesh& placed_;
+    const Frame& frame_;
+    Model model_;
+    std::vector<PlacedTextures> textures_;
+    float uv_unit_;
+    glm::mat3 gradients_;  // of (u, v): world from object
+};
+
+}  // namespace scanlight::render

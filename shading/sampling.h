@@ -1,0 +1,150 @@
+#pragma once
+
+#include "shading/angle.h"
+#include "shading/base2.h"
+#include "shading/texel_image.h"
+#include "shading/vector.h"
+
+namespace scanlight::shading {
+
+/// What a texture gives: a colour, linear, and its opacity.
+template <class Real>
+struct Texel {
+    Rgb<Real> color;
+    Real alpha;
+};
+
+template <class Real>
+Texel<Real> mixed(const Texel<Real>& a, const Texel<Real>& b, Real share_of_b) noexcept {
+    return {a.color + (b.color - a.color) * share_of_b, a.alpha + (b.alpha - a.alpha) * share_of_b};
+}
+
+/// What lies beyond the edges of a texture: itself again, its outermost texels, its mirror image.
+enum class Wrap { repeat, clamp, mirror };
+
+/// How texels become a surface: the nearest one; a mean of four (Catmull 1974); of four on each of
+/// two levels of the pyramid (Williams 1983).
+enum class Filter { nearest, bilinear, trilinear };
+
+/// Of any u: in [0, 1], or what a texture can be told of it. Too large and NaN count as 0.
+template <class Real>
+Real wrapped(Real u, Wrap wrap) noexcept {
+    const Real known = select(magnitude(u) < Real(0x1p22f), u, Real(0));
+    if (wrap == Wrap::clamp) {
+        const Real positive = positive_part(known);
+        return select(positive < Real(1), positive, Real(1));
+    }
+    if (wrap == Wrap::repeat) return fraction(known);
+    const Real twice = Real(2) * fraction(known * Real(0.5));
+    return select(twice > Real(1), Real(2) - twice, twice);
+}
+
+/// Two neighbouring texels along a side, and how near the second is.
+template <class Real>
+struct Neighbours {
+    Whole<Real> first, second;
+    Real share_of_second;
+};
+
+/// `u` wrapped; `size` of the side, in texels.
+template <class Real>
+Neighbours<Real> neighbours(Real u, Whole<Real> size, Wrap wrap) noexcept {
+    using W = Wholes<Real>;
+    using I = Whole<Real>;
+    const Real x = u * W::real(size) - Real(0.5);
+    const Real whole = floored(x);
+    const I first = W::truncated(whole);
+    const I second = first + I(1);
+    const I last = size - I(1);
+    const bool around = wrap == Wrap::repeat;
+    return {select(first < I(0), around ? last : I(0), first),
+            select(second > last, around ? I(0) : last, second), x - whole};
+}
+
+template <class Real>
+Texel<Real> texel_at(const TexelImage& image, Whole<Real> index) noexcept {
+    using W = Wholes<Real>;
+    const Whole<Real> place = index + index;
+    const Whole<Real> red_green = W::fetched(image.words(), place);
+    const Whole<Real> blue_alpha = W::fetched(image.words() + 1, place);
+    return {{real_of_half<Real>(red_green), real_of_half<Real>(W::shifted_right(red_green, 16)),
+             real_of_half<Real>(blue_alpha)},
+            real_of_half<Real>(W::shifted_right(blue_alpha, 16))};
+}
+
+/// One level of the pyramid, for each lane its own.
+template <class Real>
+struct TexelLevel {
+    Whole<Real> width, height, begin;
+
+    TexelLevel(const TexelImage& image, Whole<Real> level) noexcept
+        : width(Wholes<Real>::fetched(image.widths(), level)),
+          height(Wholes<Real>::fetched(image.heights(), level)),
+          begin(Wholes<Real>::fetched(image.begins(), level)) {}
+};
+
+template <class Real>
+Texel<Real> nearest_texel(const TexelImage& image, const TexelLevel<Real>& level, Real u,
+                          Real v) noexcept {
+    using W = Wholes<Real>;
+    using I = Whole<Real>;
+    const auto index = [](Real x, I size) {
+        const I whole = W::truncated(x * W::real(size));
+        return select(whole < size, whole, size - I(1));
+    };
+    return texel_at<Real>(
+        image, level.begin + index(v, level.height) * level.width + index(u, level.width));
+}
+
+template <class Real>
+Texel<Real> bilinear_texel(const TexelImage& image, const TexelLevel<Real>& level, Real u, Real v,
+                           Wrap wrap) noexcept {
+    const auto x = neighbours<Real>(u, level.width, wrap);
+    const auto y = neighbours<Real>(v, level.height, wrap);
+    const auto row = [&](Whole<Real> j) {
+        const Whole<Real> begin = level.begin + j * level.width;
+        return mixed(texel_at<Real>(image, begin + x.first),
+                     texel_at<Real>(image, begin + x.second), x.share_of_second);
+    };
+    return mixed(row(y.first), row(y.second), y.share_of_second);
+}
+
+/// How large a pixel is on the texture, as a level of its pyramid: 0 where a texel covers a pixel
+/// or more. `squared` is the square of the larger of the pixel's two sides, in texels of level 0.
+template <class Real>
+Real level_of(const TexelImage& image, Real squared) noexcept {
+    const Real last(static_cast<float>(image.levels() - 1));
+    const auto shrunk = (squared > Real(1)) & (squared < Real(0x1p60f));
+    const Real level = Real(0.5) * log2_of(select(shrunk, squared, Real(1)));
+    const Real beyond = select(squared >= Real(0x1p60f), last, level);
+    return select(beyond < last, beyond, last);
+}
+
+template <class Real>
+Texel<Real> trilinear_texel(const TexelImage& image, Real level, Real u, Real v,
+                            Wrap wrap) noexcept {
+    using W = Wholes<Real>;
+    using I = Whole<Real>;
+    const I fine = W::truncated(level);
+    const Real share = level - W::real(fine);
+    const auto texel = bilinear_texel<Real>(image, {image, fine}, u, v, wrap);
+    const auto between = share > Real(0);
+    if (none(between)) return texel;
+    const I coarse = select(between, fine + I(1), fine);
+    return mixed(texel, bilinear_texel<Real>(image, {image, coarse}, u, v, wrap), share);
+}
+
+/// The texture at (u, v), where a pixel has so many texels on a side; see `level_of`.
+template <class Real>
+Texel<Real> sampled(const TexelImage& image, Filter filter, Wrap wrap, Real u, Real v,
+                    Real squared_texels) noexcept {
+    const Real x = wrapped(u, wrap);
+    const Real y = wrapped(v, wrap);
+    if (filter == Filter::trilinear)
+        return trilinear_texel(image, level_of(image, squared_texels), x, y, wrap);
+    const TexelLevel<Real> finest(image, Whole<Real>(0));
+    return filter == Filter::bilinear ? bilinear_texel<Real>(image, finest, x, y, wrap)
+                                      : nearest_texel<Real>(image, finest, x, y);
+}
+
+}  // namespace scanlight::shading

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "shading/texture.h"
+
+namespace scanlight::shading {
+
+/// What the textures of a material change. A colour multiplies the material's own.
+struct SurfaceTextures {
+    std::optional<Texture> ambient;  // if there is none, `diffuse` colours ambient light too
+    std::optional<Texture> diffuse;
+    std::optional<Texture> specular;
+    std::optional<Texture> exponent;  // its luminance multiplies n
+    std::optional<Texture> bump;      // its luminance, a height, moves the normal
+    std::optional<Texture> normal;    // a normal map: 0 to 1 stands for -1 to 1
+    float bump_height = 1;            // of luminance 1, world units
+    float normal_scale = 1;           // of x and y of the normal map
+
+    bool any() const { return ambient || diffuse || specular || exponent || bump || normal; }
+    bool needs_uv() const {
+        const auto needs = [](const std::optional<Texture>& t) { return t && t->needs_uv(); };
+        return needs(ambient) || needs(diffuse) || needs(specular) || needs(exponent) ||
+               needs(bump) || needs(normal);
+    }
+};
+
+}  // namespace scanlight::shading

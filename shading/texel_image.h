@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "shading/whole.h"
+
+namespace scanlight::shading {
+
+/// An image texture, and smaller and smaller versions of it (Williams 1983, "Pyramidal
+/// parametrics", SIGGRAPH). A texel is red, green, blue and alpha, linear, each a 16-bit float
+/// (IEEE 754 half; less than 2^-14 is 0, more than 65504 is 65504), two to a word.
+/// Invariant: the levels lie one after another, each half as wide and high as the one before,
+/// rounded down, but at least 1; the last has one texel.
+class TexelImage {
+public:
+    static constexpr int most_levels = 15;
+
+    /// `rgba`: width x height texels of four numbers, row by row; the first row is at v = 0.
+    /// Sides from 1 to 16384.
+    TexelImage(int width, int height, std::span<const float> rgba);
+
+    int width(int level = 0) const noexcept { return widths_[static_cast<std::size_t>(level)]; }
+    int height(int level = 0) const noexcept { return heights_[static_cast<std::size_t>(level)]; }
+    int levels() const noexcept { return static_cast<int>(begins_.size()); }
+    std::size_t bytes() const noexcept { return words_.size() * sizeof(std::int32_t); }
+
+    // By level: of its sides, and of its first texel.
+    const std::int32_t* widths() const noexcept { return widths_.data(); }
+    const std::int32_t* heights() const noexcept { return heights_.data(); }
+    const std::int32_t* begins() const noexcept { return begins_.data(); }
+    /// Two words a texel: red (low half) and green, blue and alpha.
+    const std::int32_t* words() const noexcept { return words_.data(); }
+
+private:
+    void add_level(int width, int height, std::span<const float> rgba);
+
+    std::vector<std::int32_t> widths_, heights_, begins_;
+    std::vector<std::int32_t> words_;
+};
+
+/// The 16-bit float nearest to `value`, to even in a tie, within the limits of a `TexelImage`. NaN
+/// is 0.
+std::uint16_t half_from_float(float value);
+
+/// Of the 16-bit float in the low bits of `bits`, exactly.
+template <class Real>
+Real real_of_half(Whole<Real> bits) noexcept {
+    using W = Wholes<Real>;
+    const Whole<Real> sign = W::shifted_left(bits & Whole<Real>(0x8000), 16);
+    const Whole<Real> rest = W::shifted_left(bits & Whole<Real>(0x7fff), 13);
+    return W::real_of_float_bits(sign | rest) * Real(0x1p112f);
+}
+
+}  // namespace scanlight::shading

@@ -1,0 +1,226 @@
+#pragma once
+
+#include <memory>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
+#include "shading/mapping.h"
+#include "shading/pattern.h"
+#include "shading/sampling.h"
+#include "shading/texel_image.h"
+#include "shading/vector.h"
+
+namespace scanlight::shading {
+
+/// What is on a texture. The last three fill space and need no mapping.
+enum class Pattern { image, checker, stripes, gradient, waves, wood, marble, solid_checker };
+
+constexpr bool fills_space(Pattern pattern) {
+    return pattern == Pattern::wood || pattern == Pattern::marble ||
+           pattern == Pattern::solid_checker;
+}
+
+/// How a point finds its place on a texture: the mesh's own (u, v), or an auxiliary surface.
+enum class Mapping { uv, planar, cylindrical, chapter_cylinder, spherical };
+
+/// A texture: a colour at each place of a surface. A pattern's numbers run from `low` to `high`; of
+/// an image 0 is `low` and 1 is `high`, channel by channel.
+struct Texture {
+    Pattern pattern = Pattern::checker;
+    Mapping mapping = Mapping::uv;
+    glm::mat4 texture_from_object{1.0f};  // affine; not for the mesh's own (u, v)
+    glm::vec2 repeat{1.0f};               // u' = u repeat + offset
+    glm::vec2 offset{0.0f};
+    float count = 8;                          // of cells, stripes, waves
+    float bend = 1;                           // of marble
+    Rgb<float> low{0.0f};                     // linear
+    Rgb<float> high{1.0f};                    //
+    std::shared_ptr<const TexelImage> image;  // of Pattern::image
+    Filter filter = Filter::trilinear;
+    Wrap wrap = Wrap::repeat;
+
+    bool needs_uv() const { return !fills_space(pattern) && mapping == Mapping::uv; }
+};
+
+/// Where a texture is looked up: a point that is seen, world space.
+template <class Real>
+struct TextureSite {
+    Vec3<Real> point;
+    TexturePlace<Real> own;     // the mesh's (u, v)
+    Vec3<Real> step_x, step_y;  // along the surface to what the next pixels show
+};
+
+/// A texture on an object.
+struct PlacedTexture {
+    const Texture* texture;
+    glm::mat4 texture_from_world;
+};
+
+template <class Real>
+Vec3<Real> mapped_point(const glm::mat4& m, const Vec3<Real>& p) noexcept {
+    const auto row = [&](int i) {
+        return (Real(m[0][i]) * p.x + Real(m[1][i]) * p.y) + (Real(m[2][i]) * p.z + Real(m[3][i]));
+    };
+    return {row(0), row(1), row(2)};
+}
+
+/// Of a number that has the gradient `g` where the matrix leads to, the gradient where it comes
+/// from.
+template <class Real>
+Vec3<Real> gradient_before(const glm::mat4& m, const Vec3<Real>& g) noexcept {
+    const auto part = [&](int i) {
+        return dot(Vec3<Real>(Real(m[i][0]), Real(m[i][1]), Real(m[i][2])), g);
+    };
+    return {part(0), part(1), part(2)};
+}
+
+template <class Real>
+TexturePlace<Real> place_by(Mapping mapping, const Vec3<Real>& p) noexcept {
+    switch (mapping) {
+        case Mapping::cylindrical:
+            return CylindricalMapping<float>{}(p);
+        case Mapping::chapter_cylinder:
+            return ChapterCylinderMapping<float>{}(p);
+        case Mapping::spherical:
+            return SphericalMapping{}(p);
+        default:
+            return PlanarMapping<float>{}(p);
+    }
+}
+
+/// Gradients in world space.
+template <class Real>
+TexturePlace<Real> place_on(const PlacedTexture& placed, const TextureSite<Real>& site) noexcept {
+    const Texture& t = *placed.texture;
+    TexturePlace<Real> place = site.own;
+    if (t.mapping != Mapping::uv) {
+        place = place_by(t.mapping, mapped_point(placed.texture_from_world, site.point));
+        place.grad_u = gradient_before(placed.texture_from_world, place.grad_u);
+        place.grad_v = gradient_before(placed.texture_from_world, place.grad_v);
+    }
+    const Real repeat_u(t.repeat.x);
+    const Real repeat_v(t.repeat.y);
+    return {place.u * repeat_u + Real(t.offset.x), place.v * repeat_v + Real(t.offset.y),
+            place.grad_u * repeat_u, place.grad_v * repeat_v};
+}
+
+/// The square of a pixel's larger side on an image, in texels.
+template <class Real>
+Real squared_texels(const TexelImage& image, const TexturePlace<Real>& place,
+                    const TextureSite<Real>& site) noexcept {
+    const Real width(static_cast<float>(image.width()));
+    const Real height(static_cast<float>(image.height()));
+    const auto squared = [&](const Vec3<Real>& step) {
+        const Real u = dot(place.grad_u, step) * width;
+        const Real v = dot(place.grad_v, step) * height;
+        return u * u + v * v;
+    };
+    const Real x = squared(site.step_x);
+    const Real y = squared(site.step_y);
+    return select(x > y, x, y);
+}
+
+template <class Real>
+Texel<Real> between(const Texture& t, Real share_of_high) noexcept {
+    const Rgb<Real> low(t.low);
+    return {low + (Rgb<Real>(t.high) - low) * share_of_high, Real(1)};
+}
+
+template <class Real>
+Texel<Real> solid_value(const Texture& t, const Vec3<Real>& p) noexcept {
+    switch (t.pattern) {
+        case Pattern::wood:
+            return between(t, wood(p));
+        case Pattern::marble:
+            return between(t, marble(p, Real(t.bend)));
+        default:
+            return between(t, checkered_space(p));
+    }
+}
+
+template <class Real>
+Texel<Real> image_value(const Texture& t, Real u, Real v, Real squared) noexcept {
+    const Texel<Real> texel = sampled(*t.image, t.filter, t.wrap, u, v, squared);
+    const Rgb<Real> low(t.low);
+    return {low + (Rgb<Real>(t.high) - low) * texel.color, texel.alpha};
+}
+
+template <class Real>
+Texel<Real> flat_value(const Texture& t, Real u, Real v, Real squared) noexcept {
+    if (t.pattern == Pattern::image) return image_value(t, u, v, squared);
+    const Real x = wrapped(u, t.wrap);
+    const Real y = wrapped(v, t.wrap);
+    const Real count(t.count);
+    switch (t.pattern) {
+        case Pattern::stripes:
+            return between(t, stripes(x, count));
+        case Pattern::gradient:
+            return between(t, x);
+        case Pattern::waves:
+            return between(t, waves(x, y, count));
+        default:
+            return between(t, checkerboard(x, y, count));
+    }
+}
+
+template <class Real>
+Real squared_texels_if_image(const Texture& t, const TexturePlace<Real>& place,
+                             const TextureSite<Real>& site) noexcept {
+    const bool asked = t.pattern == Pattern::image && t.filter == Filter::trilinear;
+    return asked ? squared_texels(*t.image, place, site) : Real(0);
+}
+
+/// The texture's colour at a site.
+template <class Real>
+[[gnu::noinline]] Texel<Real> value_at(const PlacedTexture& placed,
+                                       const TextureSite<Real>& site) noexcept {
+    const Texture& t = *placed.texture;
+    if (fills_space(t.pattern))
+        return solid_value(t, mapped_point(placed.texture_from_world, site.point));
+    const TexturePlace<Real> place = place_on(placed, site);
+    return flat_value(t, place.u, place.v, squared_texels_if_image(t, place, site));
+}
+
+/// One number of a colour: ITU-R BT.709's luminance.
+template <class Real>
+Real luminance(const Rgb<Real>& c) noexcept {
+    return (c.x * Real(0.2126) + c.y * Real(0.7152)) + c.z * Real(0.0722);
+}
+
+/// How the texture's luminance, a height, grows along the surface, world space: by differences over
+/// two texels of an image, or 1/512 of a pattern.
+template <class Real>
+[[gnu::noinline]] Vec3<Real> height_gradient_at(const PlacedTexture& placed,
+                                                const TextureSite<Real>& site) noexcept {
+    const Texture& t = *placed.texture;
+    if (fills_space(t.pattern)) {
+        const Vec3<Real> p = mapped_point(placed.texture_from_world, site.point);
+        constexpr float step = 0x1p-6f;
+        const auto slope = [&](int axis) {
+            Vec3<Real> offset(Real(0));
+            offset[axis] = Real(step);
+            const Real rise = luminance(solid_value(t, p + offset).color) -
+                              luminance(solid_value(t, p - offset).color);
+            return rise * Real(0.5f / step);
+        };
+        return gradient_before(placed.texture_from_world, Vec3<Real>(slope(0), slope(1), slope(2)));
+    }
+    const TexturePlace<Real> place = place_on(placed, site);
+    const Real squared = squared_texels_if_image(t, place, site);
+    const bool is_image = t.pattern == Pattern::image;
+    const float step_u = is_image ? 1.0f / static_cast<float>(t.image->width()) : 0x1p-10f;
+    const float step_v = is_image ? 1.0f / static_cast<float>(t.image->height()) : 0x1p-10f;
+    const auto height = [&](Real u, Real v) {
+        return luminance(flat_value(t, u, v, squared).color);
+    };
+    const Real F_u =
+        (height(place.u + Real(step_u), place.v) - height(place.u - Real(step_u), place.v)) *
+        Real(0.5f / step_u);
+    const Real F_v =
+        (height(place.u, place.v + Real(step_v)) - height(place.u, place.v - Real(step_v))) *
+        Real(0.5f / step_v);
+    return place.grad_u * F_u + place.grad_v * F_v;
+}
+
+}  // namespace scanlight::shading

@@ -1,0 +1,140 @@
+#include <string>
+#include <vector>
+
+#include "tests/render/scenes.h"
+#include "tests/same_bits/lights.h"
+#include "tests/same_bits/materials.h"
+#include "tests/same_bits/test_scene.h"
+
+namespace scanlight::same_bits {
+
+namespace {
+
+using namespace render;
+using shading::Filter;
+using shading::Mapping;
+using shading::Pattern;
+using shading::SurfaceTextures;
+using shading::Texture;
+using shading::Wrap;
+
+/// Sides that are no powers of two, and texels that are no whole bytes.
+std::shared_ptr<const shading::TexelImage> test_image(int width, int height) {
+    std::vector<float> rgba;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            for (const int step : {3, 5, 7, 11})
+                rgba.push_back(static_cast<float>((x * step + y * (step + 2)) % 17) / 16.0f);
+        }
+    }
+    return std::make_shared<const shading::TexelImage>(width, height, rgba);
+}
+
+Texture image(Filter filter, Wrap wrap) {
+    Texture t;
+    t.pattern = Pattern::image;
+    t.image = test_image(45, 23);
+    t.filter = filter;
+    t.wrap = wrap;
+    t.repeat = {3.0f, 2.5f};
+    t.offset = {-0.3f, 0.7f};
+    return t;
+}
+
+Texture pattern(Pattern pattern, Mapping mapping) {
+    Texture t;
+    t.pattern = pattern;
+    t.mapping = mapping;
+    t.low = {0.2f, 0.1f, 0.05f};
+    t.high = {0.9f, 0.8f, 0.7f};
+    // Around the y axis, which is up, and turned a little.
+    t.texture_from_object = glm::mat4(0.8f, 0.0f, 0.6f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f,  //
+                                      0.6f, 0.0f, -0.8f, 0.0f, 0.1f, 0.2f, 0.3f, 1.0f);
+    return t;
+}
+
+Texture solid(Pattern kind, float scale) {
+    Texture t = pattern(kind, Mapping::uv);
+    for (int k = 0; k < 3; ++k)
+        t.texture_from_object[k] *= scale;
+    return t;
+}
+
+TestScene textured_scene(const std::string& shape, const SurfaceTextures& textures,
+                         const Settings& settings) {
+    TestScene test{{97, 71}, settings, {}, {}};
+    const mesh::Mesh& mesh = test.keep(shape_mesh(shape));
+    Object object{&mesh, several_materials(mesh.materials.size())};
+    object.textures.assign(mesh.materials.size(), textures);
+    object.world_from_object[0][0] = 1.2;
+    object.world_from_object[3] = glm::dvec4(0.1, -0.1, 0.2, 1.0);
+    test.scene.objects.push_back(object);
+    test.scene.camera.eye = {1.1, 0.9, 2.0};
+    test.scene.camera.magnification = 1.6;
+    test.scene.camera.near = 0.2;
+    test.scene.camera.far = 9.0;
+    test.scene.lighting = {glm::vec3(0.1f, 0.12f, 0.15f),
+                           {lamp({1.5f, 2.5f, 1.0f}, {0.8f, 0.7f, 0.5f}),
+                            sun({-0.5f, 0.9f, 0.6f}, {0.2f, 0.3f, 0.5f})}};
+    return test;
+}
+
+struct NamedTextures {
+    std::string name;
+    SurfaceTextures textures;
+};
+
+std::vector<NamedTextures> several_textures() {
+    std::vector<NamedTextures> all;
+    const auto add = [&](const std::string& name) -> SurfaceTextures& {
+        return all.emplace_back(NamedTextures{name, {}}).textures;
+    };
+    add("nearest-repeat").diffuse = image(Filter::nearest, Wrap::repeat);
+    add("bilinear-clamp").diffuse = image(Filter::bilinear, Wrap::clamp);
+    add("bilinear-mirror").specular = image(Filter::bilinear, Wrap::mirror);
+    add("trilinear-repeat").diffuse = image(Filter::trilinear, Wrap::repeat);
+    add("checker-spherical").diffuse = pattern(Pattern::checker, Mapping::spherical);
+    add("stripes-cylindrical").diffuse = pattern(Pattern::stripes, Mapping::cylindrical);
+    add("gradient-chapter-cylinder").ambient =
+        pattern(Pattern::gradient, Mapping::chapter_cylinder);
+    add("waves-planar").exponent = pattern(Pattern::waves, Mapping::planar);
+    add("wood").diffuse = solid(Pattern::wood, 300.0f);
+    add("marble").diffuse = solid(Pattern::marble, 3.0f);
+    add("solid-checker").diffuse = solid(Pattern::solid_checker, 4.0f);
+    add("bump-waves").bump = pattern(Pattern::waves, Mapping::uv);
+    all.back().textures.bump_height = 0.05f;
+    add("bump-image").bump = image(Filter::trilinear, Wrap::repeat);
+    all.back().textures.bump_height = 0.03f;
+    add("bump-marble").bump = solid(Pattern::marble, 3.0f);
+    add("normal-map").normal = image(Filter::bilinear, Wrap::repeat);
+    SurfaceTextures& everything = add("everything");
+    everything = all[3].textures;
+    everything.specular = all[4].textures.diffuse;
+    everything.exponent = all[7].textures.exponent;
+    everything.bump = all[11].textures.bump;
+    everything.bump_height = 0.04f;
+    return all;
+}
+
+}  // namespace
+
+NamedScenes texture_scenes() {
+    NamedScenes scenes;
+    const auto add = [&](const std::string& name, const std::string& shape,
+                         const SurfaceTextures& textures, const Settings& settings) {
+        scenes.push_back({"textures/" + name, [shape, textures, settings] {
+                              return textured_scene(shape, textures, settings);
+                          }});
+    };
+    const auto all = several_textures();
+    for (const auto& [name, textures] : all)
+        add(name, "torus:16,9", textures, {});
+    for (const std::string shape : {"cube", "sphere:7,5", "teapot:2", "plane:1"})
+        add("everything-" + shape.substr(0, shape.find(':')), shape, all.back().textures, {});
+    add("affine", "cylinder:9", all[3].textures, {.perspective = Perspective::affine});
+    add("front", "cylinder:9", all.back().textures, {.cull = Cull::front});
+    add("shadows", "torus:12,7", all.back().textures, {.shadows = Shadows::zfail});
+    return scenes;
+}
+
+}  // namespace scanlight::same_bits
