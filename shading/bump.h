@@ -47,12 +47,14 @@ Vec3<Real> mapped_normal(const Vec3<Real>& n, const Vec3<Real>& map,
     return unit_or(tangent * map.x + bitangent * map.y + n * map.z, n);
 }
 
-/// A normal that was turned away from a viewer who sees the surface is turned round.
+/// A normal that was turned away from a viewer who sees the surface: its part along the view is
+/// turned round, so that nothing jumps where it comes out of sight.
 template <class Real>
 Vec3<Real> kept_in_sight(const Vec3<Real>& bumped, const Vec3<Real>& n,
                          const Vec3<Real>& view) noexcept {
-    const auto lost = (dot(bumped, view) < Real(0)) & (dot(n, view) > Real(0));
-    return select(lost, -bumped, bumped);
+    const Real along = dot(bumped, view);
+    const auto lost = (along < Real(0)) & (dot(n, view) > Real(0));
+    return select(lost, bumped - view * (Real(2) * along), bumped);
 }
 
 }  // namespace scanlight::shading

@@ -98,6 +98,37 @@ const std::vector<Figure>& figures() {
          "Three coloured lamps on a white sphere: coloured lobes, mixed where they overlap.",
          {"sphere:48,24 --material \"kd=0.9 ks=0.3 n=60\" --ambient 0.02 --light 0,1,0.8,#ff2020 "
           "--light -0.9,-0.5,0.8,#20ff20 --light 0.9,-0.5,0.8,#2020ff"}},
+        {"checkerboards",
+         "A checkerboard laid on a plane, around a cylinder and around a sphere, whose squares "
+         "pinch at the poles; and the squares of the mesh's own (u, v).",
+         {"plane:1 --view 30,40 --texture \"diffuse=checker axis=y mapping=planar low=0.05\"",
+          "cylinder:32 --texture \"diffuse=checker mapping=cylindrical low=0.05\"",
+          "sphere:48,24 --texture \"diffuse=checker mapping=spherical low=0.05 count=16\"",
+          "torus:48,24 --texture \"diffuse=checker repeat=3,1 low=0.05\""}},
+        {"cylinder-inverse",
+         "The way around a cylinder by the angle, and by the chapter's formula, which goes around "
+         "twice and shows the front again as a mirror image.",
+         {"cylinder:32 --view 60,20 --texture \"diffuse=stripes count=8 mapping=cylindrical low=#401808 high=#d06020\"",
+          "cylinder:32 --view 60,20 "
+          "--texture \"diffuse=stripes count=8 mapping=chapter-cylinder low=#401808 high=#d06020\""}},
+        {"solid-textures",
+         "Textures that fill space: wood, whose rings on the top go on as grain on the sides; "
+         "marble; cubes.",
+         {"cube --crease 60 --texture \"diffuse=wood axis=y low=#40200c high=#c08040\"",
+          "teapot:8 --texture \"diffuse=marble low=#20242c high=#e8e4dc\"",
+          "teapot:8 --texture \"diffuse=cubes low=0.05\""}},
+        {"bump",
+         "Blinn's wrinkled surface: the normals wave, the outline stays a circle. Beside it the "
+         "same sphere smooth.",
+         {"sphere:64,32 --texture \"bump=waves mapping=spherical repeat=2,1 count=12 height=0.02\"",
+          "sphere:64,32"}},
+        {"texture-attributes",
+         "What a texture may change: the diffuse colour, the highlight, its exponent, the normal.",
+         {"sphere:48,24 --texture \"diffuse=stripes count=12 low=0.1\" --material \"ks=0.6 n=30\"",
+          "sphere:48,24 --texture \"specular=stripes count=12\" --material \"kd=#803020 ks=0.9 n=10\"",
+          "sphere:48,24 --texture \"exponent=stripes count=12 low=0.1\" "
+          "--material \"kd=#803020 ks=0.9 n=80\"",
+          "sphere:48,24 --texture \"bump=marble height=0.1\" --material \"kd=#803020 ks=0.6 n=30\""}},
         {"gouraud-1971",
          "Gouraud's intensity of 1971, I_p K_d (N.L) / (r + k) with k = 0.1: no highlight, and "
          "what is near the lamp is bright. Beside it Lambert's, the same at any distance.",

@@ -68,6 +68,20 @@ void add_mesh_options(CLI::App& app, SceneOptions& o) {
                  parse_material(text, {});  // what is wrong with it is said at once
                  o.material = text;
              });
+    app.add_option_function<std::vector<std::string>>(
+           "--texture",
+           [&o](const std::vector<std::string>& texts) {
+               for (const auto& text : texts)
+                   o.textures.push_back(parse_texture(text));
+           },
+           "what changes over the surface, repeatable. SLOT: diffuse, specular, ambient, "
+           "exponent,\n"
+           "bump, normal. KIND: image:PATH, checker, stripes, gradient, waves, and in space wood,\n"
+           "marble, cubes. Then any of mapping=uv|planar|cylindrical|chapter-cylinder|spherical,\n"
+           "axis=x|y|z, scale=N, repeat=U[,V], offset=U[,V], count=N, bend=N, low=COLOUR,\n"
+           "high=COLOUR, filter=nearest|bilinear|trilinear, wrap=repeat|clamp|mirror, height=N")
+        ->type_name("\"SLOT=KIND …\"")
+        ->allow_extra_args(false);
 }
 
 void add_camera_options(CLI::App& app, SceneOptions& o) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/scanlight/parse.h"
+#include "apps/scanlight/texture_option.h"
 #include "mesh/build.h"
 #include "raster/project.h"
 #include "render/scene.h"
@@ -45,6 +46,7 @@ struct SceneOptions {
     float falloff_k = 1.0f;
     glm::vec3 ambient{0.15f};
     std::string material;
+    std::vector<TextureOption> textures;
     bool floor = false;
     std::optional<glm::vec3> background{glm::vec3(0.807f, 0.831f, 0.871f)};  // none: transparent
 };

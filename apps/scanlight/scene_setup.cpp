@@ -27,6 +27,19 @@ shading::Material<float> white() {
     return {glm::vec3(0.8f), glm::vec3(0.8f), glm::vec3(0.0f), 1.0};
 }
 
+/// Under a texture that brings the colour.
+shading::Material<float> colorless_clay() {
+    shading::Material<float> material = clay();
+    material.ambient = material.diffuse = glm::vec3(1.0f);
+    return material;
+}
+
+shading::Material<float> plain_material(const SceneOptions& options) {
+    const bool is_coloured = std::ranges::find(options.textures, TextureSlot::diffuse,
+                                               &TextureOption::slot) != options.textures.end();
+    return is_coloured ? colorless_clay() : clay();
+}
+
 bool has_own_materials(const mesh::Mesh& mesh) {
     return mesh.materials.size() > 1 || !mesh.materials.front().name.empty();
 }
@@ -34,7 +47,7 @@ bool has_own_materials(const mesh::Mesh& mesh) {
 std::vector<shading::Material<float>> materials_of(const mesh::Mesh& mesh,
                                                    const SceneOptions& options) {
     auto materials = render::shading_materials(mesh.materials);
-    if (!has_own_materials(mesh)) materials.front() = clay();
+    if (!has_own_materials(mesh)) materials.front() = plain_material(options);
     for (auto& material : materials)
         material = parse_material(options.material, material);
     return materials;
@@ -116,6 +129,10 @@ Model load_model(const SceneOptions& options) {
 render::Scene scene_of(const Model& model, const SceneOptions& options) {
     render::Scene scene;
     scene.objects.push_back({&model.mesh, materials_of(model.mesh, options)});
+    if (!options.textures.empty()) {
+        const auto textures = textures_of(options.textures, mesh::bounding_box(model.mesh));
+        scene.objects.front().textures.assign(model.mesh.materials.size(), textures);
+    }
     scene.camera = camera_of(scene.objects, options);
     if (model.floor) {
         scene.objects.push_back({&*model.floor, {white()}});
