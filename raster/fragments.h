@@ -45,6 +45,38 @@ std::size_t draw_span(Span<N> span, Plane<Depth>& depth, Plane<T>& target, Shade
     return passed;
 }
 
+/// One layer of a picture, from pixel to pixel: the nearest surface behind the layer before it. Of
+/// surfaces at equal depth the one with the smaller number is the nearer.
+template <class T>
+struct Layer {
+    Plane<Depth> depth;  // where nothing is, that of what ends the layers
+    Plane<std::int32_t> number;
+    Plane<T> target;
+
+    Layer(Viewport size, const Plane<Depth>& end, const T& nothing)
+        : depth(end), number(size, -1), target(size, nothing) {}
+};
+
+/// `draw_span` into a layer.
+template <int N, class T, class Shade>
+std::size_t draw_span_behind(Span<N> span, std::int32_t number, const Plane<Depth>& before_depth,
+                             const Plane<std::int32_t>& before_number, Layer<T>& layer,
+                             Shade&& shade) {
+    std::size_t passed = 0;
+    for (int x = span.x_begin; x < span.x_end; ++x, span.ramps.step()) {
+        const int y = span.y;
+        const Depth z = span.ramps.depth.get();
+        const Depth before = before_depth.at(x, y);
+        const bool is_behind = z > before || (z == before && number > before_number.at(x, y));
+        if (!is_behind || z >= layer.depth.at(x, y)) continue;
+        layer.depth.at(x, y) = z;
+        layer.number.at(x, y) = number;
+        layer.target.at(x, y) = shade(fragment_at<N>(x, y, z, span.ramps));
+        ++passed;
+    }
+    return passed;
+}
+
 /// Which fragments a stencil pass counts: those in front of what is drawn, or those not.
 enum class StencilCount { where_nearer, where_not_nearer };
 

@@ -16,7 +16,7 @@ PackedPixel byte_of(float intensity, Encoding encoding) {
 }  // namespace
 
 PackedPixel packed_pixel(const Rgba& color, Encoding encoding) {
-    const PackedPixel alpha = color.a > 0.0f ? 255 : 0;
+    const PackedPixel alpha = byte_of(color.a, Encoding::linear);
     return byte_of(color.r, encoding) | byte_of(color.g, encoding) << 8 |
            byte_of(color.b, encoding) << 16 | alpha << 24;
 }

@@ -15,7 +15,7 @@ enum class Encoding {
     linear,  // nearest of 255 equal steps
 };
 
-/// Clamped to [0, 1] first; a NaN is 0. Alpha is 255 where it is above 0.
+/// Clamped to [0, 1] first; a NaN is 0. Alpha has 255 equal steps.
 PackedPixel packed_pixel(const Rgba& color, Encoding encoding);
 
 }  // namespace scanlight::raster

@@ -84,7 +84,28 @@ public:
         items_ = {width_, 0};
     }
 
-    std::size_t bytes() const { return bytes_held(memory_); }
+    // Layers of transparent surfaces, one behind the other, all of them in front of what has been
+    // seen so far. The last two numbers kept are the depth and the item of the layer before.
+
+    /// The first layer is to be seen. Two numbers more must be kept than of any surface.
+    void begin_layers() {
+        const auto size = static_cast<std::size_t>(plane_);
+        end_.assign(memory_.begin(), memory_.begin() + static_cast<std::ptrdiff_t>(size));
+        std::fill_n(memory_.data() + plane_ * (layer_before() + 1), 2 * size, -1);
+        restart_layer();
+    }
+    /// The next one is.
+    void next_layer() {
+        std::copy_n(memory_.data(), plane_, memory_.data() + plane_ * (layer_before() + 1));
+        std::copy_n(memory_.data() + plane_, plane_,
+                    memory_.data() + plane_ * (layer_before() + 2));
+        std::ranges::copy(end_, memory_.begin());
+        restart_layer();
+    }
+    /// The first of the two numbers.
+    int layer_before() const { return most_kept_ - 2; }
+
+    std::size_t bytes() const { return bytes_held(memory_, end_); }
     int width() const { return width_; }
     Rows rows() const { return rows_; }
     /// From a row to the next, in pixels.
@@ -121,6 +142,12 @@ public:
     const PixelCounts& counts() const { return counts_; }
 
 private:
+    void restart_layer() {
+        forget_items();
+        farthest_ = behind_everything;
+        passed_before_ = counts_.passed;
+    }
+
     void allocate(int width, int height, int kept) {
         width_ = width;
         most_rows_ = height;
@@ -153,6 +180,7 @@ private:
     std::ptrdiff_t stride_ = 0;
     std::ptrdiff_t plane_ = 0;
     std::vector<std::int32_t> memory_;
+    std::vector<Depth> end_;  // the depths in front of which all layers lie
     PixelCounts counts_;
     Depth farthest_ = behind_everything;
     std::size_t passed_before_ = 0;  // before it was found

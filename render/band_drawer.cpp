@@ -27,9 +27,12 @@ void BandDrawer::draw(const Picture& picture, int width, raster::Rows rows, int 
     int kept = 1;
     for (const ObjectPass& pass : picture.passes)
         kept = std::max(kept, at_once ? 1 : 1 + pass.attributes.count);
+    for (const ObjectPass& pass : picture.transparent)
+        kept = std::max(kept, 3 + pass.attributes.count);
     band_.clear(width, rows, kept);
     at_once ? draw_lit(picture, number) : draw_then_light(picture, number);
     if (picture.depth != nullptr) copy_depth(*picture.depth);
+    if (!picture.transparent.empty()) draw_layers(picture, number);
 }
 
 void BandDrawer::draw_lit(const Picture& picture, int number) {
@@ -65,6 +68,68 @@ std::size_t BandDrawer::see(const Picture& picture, const ObjectPass& pass, int 
                          band_, walker);
     }
     return band_.counts().passed - before;
+}
+
+/// See layers.h.
+void BandDrawer::draw_layers(const Picture& picture, int number) {
+    blends_.assign(band_.pixels(), {});
+    band_.begin_layers();
+    for (int i = 0; i < most_layers && see_layer(picture, number); ++i) {
+        if (picture.settings.shadows != Shadows::none) shadows_.find(picture.passes, band_, number);
+        for (const ObjectPass* pass : seen_)
+            add_layer(picture, *pass);
+        band_.next_layer();
+    }
+    lay_over(*std::get<FloatTarget>(picture.target).plane);
+}
+
+/// The next layer; false if there is nothing in it.
+bool BandDrawer::see_layer(const Picture& picture, int number) {
+    seen_.clear();
+    for (const ObjectPass& pass : picture.transparent) {
+        const std::size_t before = band_.counts().passed;
+        Walker walker(pass, walks_, band_.rows());
+        for (const raster::Bin& bin : pass.bins) {
+            picture.path.see_behind(pass, lit_sides(picture.settings.sides, bin.band(number)),
+                                    band_, walker);
+        }
+        if (band_.counts().passed > before) seen_.push_back(&pass);
+    }
+    return !seen_.empty();
+}
+
+void BandDrawer::add_layer(const Picture& picture, const ObjectPass& pass) {
+    const bool has_shadows = picture.settings.shadows != Shadows::none;
+    for (int y = band_.rows().y_begin; y < band_.rows().y_end; ++y) {
+        picture.path.light_layer_row(pass, band_, has_shadows ? &shadows_ : nullptr, y, layer_row_);
+        add_layer_row(pass, y);
+    }
+}
+
+void BandDrawer::add_layer_row(const ObjectPass& pass, int y) {
+    const std::int32_t* items = band_.kept_row(0, y);
+    const VectorStreams& color = layer_row_.color;
+    Blend* blend = blends(y);
+    for (std::size_t x = 0; x < static_cast<std::size_t>(band_.width()); ++x) {
+        if (!pass.faces.holds(items[x])) continue;
+        blend[x].add({color.x[x], color.y[x], color.z[x]}, layer_row_.opacity[x]);
+        ++shaded_;
+    }
+}
+
+Blend* BandDrawer::blends(int y) {
+    return blends_.data() + static_cast<std::size_t>(y - band_.rows().y_begin) *
+                                static_cast<std::size_t>(band_.width());
+}
+
+void BandDrawer::lay_over(raster::Plane<raster::Rgba>& color) const {
+    const Blend* blend = blends_.data();
+    for (int y = band_.rows().y_begin; y < band_.rows().y_end; ++y) {
+        for (raster::Rgba& pixel : color.row(y)) {
+            if (!blend->is_clear()) pixel = blend->over(pixel);
+            ++blend;
+        }
+    }
 }
 
 /// Where only fronts are lit, they are seen from behind too.

@@ -7,6 +7,7 @@
 #include "raster/visible_band.h"
 #include "render/draw_polygons.h"
 #include "render/lane_path.h"
+#include "render/layers.h"
 #include "render/object_pass.h"
 #include "render/walker.h"
 
@@ -20,6 +21,7 @@ public:
     struct Picture {
         const LanePath& path;
         std::span<const ObjectPass> passes;
+        std::span<const ObjectPass> transparent;  // over them; then the target is of floats
         const Settings& settings;
         const Target& target;
         raster::Plane<raster::Depth>* depth;  // may be null
@@ -33,13 +35,20 @@ public:
 
     void add_to(DrawCounts& counts) const;
     std::size_t bytes() const {
-        return band_.bytes() + shadows_.bytes() + row_.bytes() + raster::bytes_held(items_);
+        return band_.bytes() + shadows_.bytes() + row_.bytes() +
+               raster::bytes_held(items_, blends_);
     }
 
 private:
     void draw_lit(const Picture& picture, int number);
     void draw_then_light(const Picture& picture, int number);
     std::size_t see(const Picture& picture, const ObjectPass& pass, int number);
+    void draw_layers(const Picture& picture, int number);
+    bool see_layer(const Picture& picture, int number);
+    void add_layer(const Picture& picture, const ObjectPass& pass);
+    void add_layer_row(const ObjectPass& pass, int y);
+    void lay_over(raster::Plane<raster::Rgba>& color) const;
+    Blend* blends(int y);
     std::span<const raster::FaceItem> lit_sides(Sides sides,
                                                 std::span<const raster::FaceItem> items);
     void copy_depth(raster::Plane<raster::Depth>& to);
@@ -50,6 +59,8 @@ private:
     WalkMemories walks_;
     std::vector<raster::FaceItem> items_;
     std::vector<const ObjectPass*> seen_;
+    LayerRow layer_row_;
+    std::vector<Blend> blends_;  // of the band's pixels
     std::size_t shaded_ = 0;
 };
 

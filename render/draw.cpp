@@ -1,54 +1,14 @@
 #include "render/draw.h"
 
-#include "render/flat.h"
-#include "render/gouraud.h"
-#include "render/phong.h"
+#include "render/layers.h"
+#include "render/opacity.h"
 #include "render/shadows.h"
 #include "render/surface_data.h"
-#include "render/textured_phong.h"
+#include "render/technique.h"
 
 namespace scanlight::render {
 
 namespace {
-
-/// Calls `use` with the number as a constant.
-template <class Use>
-decltype(auto) with_attribute_count(int count, Use&& use) {
-    switch (count) {
-        case 6:
-            return use(std::integral_constant<int, 6>{});
-        case 7:
-            return use(std::integral_constant<int, 7>{});
-        case 9:
-            return use(std::integral_constant<int, 9>{});
-        default:
-            return use(std::integral_constant<int, 3>{});
-    }
-}
-
-/// Techniques are chosen here, once an object, and nowhere further in. Calls `use` with it.
-template <class Use>
-decltype(auto) with_technique(const PlacedMesh& placed, const Frame& frame,
-                              const Settings& settings, Use&& use) {
-    if (settings.shading == Shading::gouraud) {
-        return use(GouraudTechnique(placed, frame, settings));
-    }
-    if (settings.shading == Shading::phong && is_textured(*placed.object)) {
-        return with_model(settings, [&](auto model) {
-            return with_attribute_count(textured_attributes(*placed.object).count(), [&](auto n) {
-                return use(TexturedPhongTechnique<decltype(model), n>(placed, frame, model));
-            });
-        });
-    }
-    return with_model(settings, [&](auto model) {
-        return with_paint(*placed.mesh, [&](auto paint) {
-            if (settings.shading == Shading::flat) {
-                return use(FlatTechnique<decltype(model), paint>(placed, frame, model));
-            }
-            return use(PhongTechnique<decltype(model), paint>(placed, frame, model));
-        });
-    });
-}
 
 DrawCounts draw_object(const PlacedMesh& placed, const Frame& frame, const Settings& settings,
                        raster::Framebuffer& target) {
@@ -72,6 +32,11 @@ DrawCounts& DrawCounts::operator+=(const DrawCounts& other) {
 }
 
 Drawing draw(const Scene& scene, const Settings& settings, raster::Viewport viewport) {
+    if (has_transparent(scene)) return draw_with_layers(scene, settings, viewport);
+    return draw_opaque(scene, settings, viewport);
+}
+
+Drawing draw_opaque(const Scene& scene, const Settings& settings, raster::Viewport viewport) {
     if (settings.shadows != Shadows::none) return draw_with_shadows(scene, settings, viewport);
     Drawing result{raster::Framebuffer(viewport, scene.background), {}};
     const Frame frame = frame_of(scene, settings.distances, viewport);

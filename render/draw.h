@@ -17,6 +17,9 @@ struct Drawing {
 /// of their faces. The same picture, to the bit, on every machine.
 Drawing draw(const Scene& scene, const Settings& settings, raster::Viewport viewport);
 
+/// The same, all surfaces taken for opaque.
+Drawing draw_opaque(const Scene& scene, const Settings& settings, raster::Viewport viewport);
+
 /// The same in the background's colour, unlit: what is in front hides what comes later.
 Drawing draw_depth(const Scene& scene, const Settings& settings, raster::Viewport viewport);
 

@@ -30,11 +30,11 @@ inline void count_fate(DrawCounts& counts, Fate fate) {
     if (fate == Fate::seen) ++counts.drawn;
 }
 
-/// Draws the polygons of one mesh, in their order, by a technique (see `ScreenPolygons`).
-template <class Technique>
+/// Takes the spans of one mesh's polygons, in their order, by a technique (see `ScreenPolygons`):
+/// `draw_span(face, span, shade)` returns how many of its pixels passed.
+template <class Technique, class DrawSpan>
 DrawCounts draw_polygons(const PlacedMesh& placed, const Technique& technique, const Frame& frame,
-                         const Settings& settings, raster::Plane<raster::Depth>& depth,
-                         raster::Plane<typename Technique::Pixel>& target) {
+                         const Settings& settings, DrawSpan&& draw_span) {
     constexpr int N = Technique::attribute_count;
     const ScreenPolygons<Technique> polygons(placed, technique, frame, settings);
     raster::PolygonFiller<N> filler;
@@ -50,12 +50,23 @@ DrawCounts draw_polygons(const PlacedMesh& placed, const Technique& technique, c
         const auto draw = [&](const raster::Span<N>& span) {
             ++counts.spans;
             counts.pixels_tested += static_cast<std::size_t>(span.x_end - span.x_begin);
-            counts.pixels_passed += raster::draw_span(span, depth, target, shade);
+            counts.pixels_passed += draw_span(face, span, shade);
         };
         filler.fill(std::span(polygon.corners), raster::Interpolation::planar, draw);
     }
     counts.pixels_shaded = counts.pixels_passed;  // lit as soon as they are seen
     return counts;
+}
+
+/// Draws them by the z-buffer.
+template <class Technique>
+DrawCounts draw_polygons(const PlacedMesh& placed, const Technique& technique, const Frame& frame,
+                         const Settings& settings, raster::Plane<raster::Depth>& depth,
+                         raster::Plane<typename Technique::Pixel>& target) {
+    return draw_polygons(placed, technique, frame, settings,
+                         [&](std::size_t, const auto& span, const auto& shade) {
+                             return raster::draw_span(span, depth, target, shade);
+                         });
 }
 
 }  // namespace scanlight::render

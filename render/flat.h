@@ -36,7 +36,8 @@ public:
                                               frame_.view_from(point)};
         const auto& material = painted_by<paint>(placed_.material_of(face),
                                                  [&] { return mean_color(*placed_.mesh, face); });
-        return raster::Rgba(illuminate(model_, surface, material, frame_.lighting), 1.0f);
+        return raster::Rgba(illuminate(model_, surface, material, frame_.lighting),
+                            placed_.material_of(face).opacity);
     }
 
     raster::Rgba shade(const raster::Fragment<0>&, const raster::Rgba& color) const {

@@ -38,10 +38,9 @@ class GouraudTechnique {
 public:
     static constexpr int attribute_count = 4;
     using Pixel = raster::Rgba;
-    struct Nothing {};
 
     GouraudTechnique(const PlacedMesh& placed, const Frame& frame, const Settings& settings)
-        : intensities_(vertex_intensities(placed, frame, settings)) {}
+        : placed_(placed), intensities_(vertex_intensities(placed, frame, settings)) {}
 
     /// What the interpolated intensities are multiples of.
     float unit() const { return intensities_.unit; }
@@ -52,15 +51,17 @@ public:
         return {color.r, color.g, color.b, 1.0f};
     }
 
-    Nothing polygon(std::size_t, Side) const { return {}; }
+    /// Its opacity.
+    float polygon(std::size_t face, Side) const { return placed_.material_of(face).opacity; }
 
-    raster::Rgba shade(const raster::Fragment<attribute_count>& fragment, Nothing) const {
+    raster::Rgba shade(const raster::Fragment<attribute_count>& fragment, float opacity) const {
         const auto& a = fragment.attributes;
         const glm::vec3 color = undivided(glm::vec3(a[0], a[1], a[2]), a[3]);
-        return raster::Rgba(color * intensities_.unit, 1.0f);
+        return raster::Rgba(color * intensities_.unit, opacity);
     }
 
 private:
+    const PlacedMesh& placed_;
     VertexIntensities intensities_;
 };
 

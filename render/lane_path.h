@@ -10,6 +10,12 @@
 
 namespace scanlight::render {
 
+/// A row of a layer of transparent surfaces.
+struct LayerRow {
+    VectorStreams color;
+    std::vector<float> opacity;
+};
+
 /// The vector code of this room for one instruction set. All sets give the same bits.
 struct LanePath {
     const raster::LanePath* raster;
@@ -34,6 +40,15 @@ struct LanePath {
     /// memory for a row's colours; `shadows` may be null.
     std::size_t (*light_band)(const ObjectPass&, raster::VisibleBand&, const ShadowBand* shadows,
                               VectorStreams& row, const Target&, Background);
+
+    /// Draws polygons of a transparent object into a layer of the band, see
+    /// `VisibleBand::begin_layers`. Pixels keep the polygon's item and the object's attributes.
+    void (*see_behind)(const ObjectPass&, std::span<const raster::FaceItem> items,
+                       raster::VisibleBand&, raster::Walker&);
+
+    /// Illuminates the pixels of a row that show the object. The others are any.
+    void (*light_layer_row)(const ObjectPass&, raster::VisibleBand&, const ShadowBand* shadows,
+                            int y, LayerRow&);
 };
 
 /// Those that this machine can run, the fastest first; never empty.

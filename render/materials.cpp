@@ -5,7 +5,7 @@ namespace scanlight::render {
 shading::Material<float> shading_material(const mesh::Material& material) {
     const bool has_highlight = material.illumination >= 2;
     return {material.ambient, material.diffuse, has_highlight ? material.specular : glm::vec3(0.0f),
-            static_cast<double>(material.exponent)};
+            static_cast<double>(material.exponent), material.opacity};
 }
 
 std::vector<shading::Material<float>> shading_materials(

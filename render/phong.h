@@ -49,7 +49,8 @@ public:
         const shading::Surface<float> surface{point, normal, frame_.view_from(point)};
         const auto& material = painted_by<paint>(
             polygon.material, [&a] { return undivided(glm::vec3(a[3], a[4], a[5]), a[6]); });
-        return raster::Rgba(illuminate(model_, surface, material, frame_.lighting), 1.0f);
+        return raster::Rgba(illuminate(model_, surface, material, frame_.lighting),
+                            polygon.material.opacity);
     }
 
 private:

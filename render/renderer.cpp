@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <iterator>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -11,6 +12,7 @@
 #include "render/band_drawer.h"
 #include "render/draw.h"
 #include "render/gouraud.h"
+#include "render/opacity.h"
 #include "render/shadow_volume.h"
 #include "render/walker.h"
 
@@ -69,9 +71,10 @@ struct Renderer::Memory {
     std::vector<raster::Survivors> survivors;  // one a thread
     std::vector<BandDrawer> bands;             // one a thread
     std::vector<ObjectPass> passes;
+    raster::Plane<raster::Rgba> floats;  // of a picture with transparent surfaces
 
     std::size_t bytes() const {
-        std::size_t sum = 0;
+        std::size_t sum = floats.values().size_bytes();
         for (const ObjectPass& pass : passes)
             sum += pass.bytes();
         for (const raster::Survivors& scratch : survivors)
@@ -85,10 +88,12 @@ struct Renderer::Memory {
 /// One picture on its way.
 class Renderer::Picture {
 public:
-    Picture(Memory& memory, const Scene& scene, const Settings& settings, const Target& target,
-            raster::Plane<raster::Depth>* depth)
+    /// Those of the scene's objects that are transparent come after the `opaque` ones.
+    Picture(Memory& memory, const Scene& scene, std::size_t opaque, const Settings& settings,
+            const Target& target, raster::Plane<raster::Depth>* depth)
         : memory_(memory),
           scene_(scene),
+          opaque_(opaque),
           settings_(settings),
           target_(target),
           depth_(depth),
@@ -166,9 +171,9 @@ private:
     void find_shadows() {
         const bool any = settings_.shadows != Shadows::none;
         const std::size_t lights = any ? frame_.lighting.lights.size() : 0;
-        for (ObjectPass& pass : memory_.passes)
+        for (ObjectPass& pass : opaque())
             pass.begin_shadows(lights);
-        memory_.workers.for_each(memory_.passes.size() * lights, [&](int, std::size_t i) {
+        memory_.workers.for_each(opaque_ * lights, [&](int, std::size_t i) {
             ObjectPass& pass = memory_.passes[i / lights];
             const std::size_t light = i % lights;
             pass.sides[light].find(pass, homogeneous(frame_.lighting.lights[light]), bands_);
@@ -178,7 +183,10 @@ private:
     void draw_bands() {
         for (BandDrawer& band : memory_.bands)
             band.begin();
-        const BandDrawer::Picture picture{memory_.path, memory_.passes, settings_, target_, depth_};
+        const auto passes = std::span(memory_.passes);
+        const BandDrawer::Picture picture{
+            memory_.path, passes.first(opaque_), passes.subspan(opaque_), settings_, target_,
+            depth_};
         memory_.workers.for_each(
             static_cast<std::size_t>(bands_.count()), [&](int worker, std::size_t i) {
                 const int number = static_cast<int>(i);
@@ -202,6 +210,8 @@ private:
         return counts;
     }
 
+    std::span<ObjectPass> opaque() { return std::span(memory_.passes).first(opaque_); }
+
     static std::size_t vertex_count(const ObjectPass& pass) { return pass.mesh().vertices.size(); }
     static std::size_t face_count(const ObjectPass& pass) { return pass.mesh().face_count(); }
 
@@ -214,6 +224,7 @@ private:
 
     Memory& memory_;
     const Scene& scene_;
+    std::size_t opaque_;
     const Settings& settings_;
     const Target& target_;
     raster::Plane<raster::Depth>* depth_;
@@ -223,16 +234,14 @@ private:
 
 namespace {
 
-void copy(const raster::Plane<raster::Rgba>& from, const Target& to) {
-    for (int y = 0; y < from.height(); ++y) {
-        if (const auto* floats = std::get_if<FloatTarget>(&to)) {
-            std::ranges::copy(from.row(y), floats->plane->row(y).begin());
-        } else {
-            const auto& packed = std::get<PackedTarget>(to);
-            std::ranges::transform(from.row(y), packed.plane->row(y).begin(), [&](const auto& c) {
-                return raster::packed_pixel(c, packed.encoding);
-            });
-        }
+void copy_row(const raster::Plane<raster::Rgba>& from, int y, const Target& to) {
+    if (const auto* floats = std::get_if<FloatTarget>(&to)) {
+        std::ranges::copy(from.row(y), floats->plane->row(y).begin());
+    } else {
+        const auto& packed = std::get<PackedTarget>(to);
+        std::ranges::transform(from.row(y), packed.plane->row(y).begin(), [&](const auto& c) {
+            return raster::packed_pixel(c, packed.encoding);
+        });
     }
 }
 
@@ -246,7 +255,8 @@ bool knows_shadows(const Scene& scene, const Settings& settings) {
 DrawReport draw_by_the_textbook(const Scene& scene, const Settings& settings, const Target& target,
                                 raster::Plane<raster::Depth>* depth) {
     Drawing drawing = draw(scene, settings, size_of(target));
-    copy(drawing.framebuffer.color, target);
+    for (int y = 0; y < drawing.framebuffer.color.height(); ++y)
+        copy_row(drawing.framebuffer.color, y, target);
     if (depth != nullptr) *depth = std::move(drawing.framebuffer.depth);
     DrawReport report;
     report.counts = drawing.counts;
@@ -259,7 +269,28 @@ DrawReport Renderer::draw_into(const Scene& scene, const Settings& settings, con
                                raster::Plane<raster::Depth>* depth) {
     if (settings.shadows != Shadows::none && !knows_shadows(scene, settings))
         return draw_by_the_textbook(scene, settings, target, depth);
-    return Picture(*memory_, scene, settings, target, depth).draw();
+    if (has_transparent(scene)) return draw_layers_into(scene, settings, target, depth);
+    return Picture(*memory_, scene, scene.objects.size(), settings, target, depth).draw();
+}
+
+DrawReport Renderer::draw_layers_into(const Scene& scene, const Settings& settings,
+                                      const Target& target, raster::Plane<raster::Depth>* depth) {
+    SplitScene split = split_by_opacity(scene);
+    const std::size_t opaque = split.opaque.objects.size();
+    std::ranges::move(split.transparent.objects, std::back_inserter(split.opaque.objects));
+    if (std::holds_alternative<FloatTarget>(target))
+        return Picture(*memory_, split.opaque, opaque, settings, target, depth).draw();
+    const raster::Viewport size = size_of(target);
+    raster::Plane<raster::Rgba>& floats = memory_->floats;
+    if (floats.width() != size.width || floats.height() != size.height)
+        floats = {size, raster::Rgba(0.0f)};
+    const FloatTarget first{&floats, scene.background};
+    const DrawReport report =
+        Picture(*memory_, split.opaque, opaque, settings, first, depth).draw();
+    memory_->workers.for_each(static_cast<std::size_t>(size.height), [&](int, std::size_t y) {
+        copy_row(floats, static_cast<int>(y), target);
+    });
+    return report;
 }
 
 std::vector<std::string_view> instruction_sets() {

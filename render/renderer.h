@@ -64,6 +64,8 @@ public:
 private:
     DrawReport draw_into(const Scene& scene, const Settings& settings, const Target& target,
                          raster::Plane<raster::Depth>* depth);
+    DrawReport draw_layers_into(const Scene& scene, const Settings& settings, const Target& target,
+                                raster::Plane<raster::Depth>* depth);
 
     class Picture;
     struct Memory;

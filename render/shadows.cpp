@@ -193,11 +193,11 @@ Drawing draw_with_shadows(const Scene& bare, const Settings& settings, raster::V
     const Scene scene = with_silhouettes(bare, own);
     Settings unshadowed = settings;
     unshadowed.shadows = Shadows::none;
-    Drawing sum = draw(lit_by(scene, {scene.lighting.ambient, {}}), unshadowed, viewport);
+    Drawing sum = draw_opaque(lit_by(scene, {scene.lighting.ambient, {}}), unshadowed, viewport);
     for (std::size_t i = 0; i < scene.lighting.lights.size(); ++i) {
         const Counts counts = count_shadows(scene, settings, i, sum.framebuffer.depth);
         const shading::Lighting<float> alone{glm::vec3(0.0f), {scene.lighting.lights[i]}};
-        add_light(draw(lit_by(scene, alone), unshadowed, viewport), counts, sum);
+        add_light(draw_opaque(lit_by(scene, alone), unshadowed, viewport), counts, sum);
     }
     return sum;
 }

@@ -44,7 +44,7 @@ inline bool is_textured(const Object& object) {
 /// The textures of a material, on an object.
 struct PlacedTextures {
     using Slot = std::optional<shading::PlacedTexture>;
-    Slot ambient, diffuse, specular, exponent, bump, normal;
+    Slot ambient, diffuse, specular, exponent, opacity, bump, normal;
     float bump_height, normal_scale;
 };
 
@@ -138,6 +138,17 @@ shading::Material<Real> textured(const shading::Material<float>& material,
     return result;
 }
 
+/// 0 to 1.
+template <class Real>
+Real opacity_on(const shading::Material<float>& material, const PlacedTextures& textures,
+                const shading::TextureSite<Real>& site) {
+    const Real opacity(material.opacity);
+    if (!textures.opacity) return opacity;
+    using shading::select;
+    const Real share = shading::positive_part(shading::number_at(*textures.opacity, site));
+    return opacity * select(share < Real(1), share, Real(1));
+}
+
 /// The material with an n of each lane's own.
 template <class Real>
 shading::Material<Real, shading::VaryingExponent<Real>> with_exponent(
@@ -158,7 +169,7 @@ shading::Rgb<Real> illuminate_textured(const Model& model, const TexturedSurface
     const shading::Surface<Real> surface{s.surface.point, wrinkled(textures, s), s.surface.view};
     const shading::Material<Real> here = textured(material, textures, s);
     if (!textures.exponent) return illuminate(model, surface, here, lighting, arriving);
-    const Real factor = shading::luminance(shading::value_at(*textures.exponent, s.site).color);
+    const Real factor = shading::number_at(*textures.exponent, s.site);
     return illuminate(model, surface, with_exponent(here, factor), lighting, arriving);
 }
 

@@ -79,7 +79,7 @@ public:
             illuminate_textured(model_, surface, polygon.material, polygon.textures,
                                 frame_.lighting,
                                 [](std::size_t, const glm::vec3& term) { return term; }),
-            1.0f);
+            opacity_on(polygon.material, polygon.textures, surface.site));
     }
 
 private:

@@ -13,6 +13,7 @@ struct Material {
     Rgb<Number> diffuse{Number(0.8)};  // K_d
     Rgb<Number> specular{Number(0)};   // K_s
     Power exponent{1};  // n, usually 1 to 2000: the larger, the smaller the highlight
+    float opacity = 1;  // 1 - t: 0 lets all light through, 1 none
 };
 
 }  // namespace scanlight::shading

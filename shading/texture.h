@@ -24,6 +24,9 @@ constexpr bool fills_space(Pattern pattern) {
 /// How a point finds its place on a texture: the mesh's own (u, v), or an auxiliary surface.
 enum class Mapping { uv, planar, cylindrical, chapter_cylinder, spherical };
 
+/// Where one number is wanted of a texture: its luminance (ITU-R BT.709), or its alpha.
+enum class Channel { luminance, alpha };
+
 /// A texture: a colour at each place of a surface. A pattern's numbers run from `low` to `high`; of
 /// an image 0 is `low` and 1 is `high`, channel by channel.
 struct Texture {
@@ -39,6 +42,7 @@ struct Texture {
     std::shared_ptr<const TexelImage> image;  // of Pattern::image
     Filter filter = Filter::trilinear;
     Wrap wrap = Wrap::repeat;
+    Channel channel = Channel::luminance;
 
     bool needs_uv() const { return !fills_space(pattern) && mapping == Mapping::uv; }
 };
@@ -182,10 +186,17 @@ template <class Real>
     return flat_value(t, place.u, place.v, squared_texels_if_image(t, place, site));
 }
 
-/// One number of a colour: ITU-R BT.709's luminance.
+/// Of a colour.
 template <class Real>
 Real luminance(const Rgb<Real>& c) noexcept {
     return (c.x * Real(0.2126) + c.y * Real(0.7152)) + c.z * Real(0.0722);
+}
+
+/// The one number of a texture at a site.
+template <class Real>
+Real number_at(const PlacedTexture& placed, const TextureSite<Real>& site) noexcept {
+    const Texel<Real> texel = value_at(placed, site);
+    return placed.texture->channel == Channel::alpha ? texel.alpha : luminance(texel.color);
 }
 
 /// How the texture's luminance, a height, grows along the surface, world space: by differences over

@@ -129,6 +129,14 @@ const std::vector<Figure>& figures() {
           "sphere:48,24 --texture \"exponent=stripes count=12 low=0.1\" "
           "--material \"kd=#803020 ks=0.9 n=80\"",
           "sphere:48,24 --texture \"bump=marble height=0.1\" --material \"kd=#803020 ks=0.6 n=30\""}},
+        {"transparency",
+         "A ring of coloured glass, each of its surfaces blended over what is behind it, nearest "
+         "first; on a floor with shadows, of which glass casts none; and opaque stripes on glass.",
+         {"torus:48,24 --view 20,40 --material \"kd=#c04020 ks=0.6 n=40 opacity=0.4\"",
+          "torus:48,24 --view 20,25 --floor --shadows zfail --zoom 0.8 "
+          "--material \"kd=#4060c0 ks=0.6 n=40 opacity=0.5\"",
+          "torus:48,24 --view 20,40 --material \"kd=#30a040 ks=0.5 n=40\" "
+          "--texture \"opacity=stripes count=24 low=0.2\""}},
         {"gouraud-1971",
          "Gouraud's intensity of 1971, I_p K_d (N.L) / (r + k) with k = 0.1: no highlight, and "
          "what is near the lamp is bright. Beside it Lambert's, the same at any distance.",

@@ -63,7 +63,9 @@ void add_mesh_options(CLI::App& app, SceneOptions& o) {
         ->check(within(0.0, 180.0))
         ->capture_default_str();
     add_text(app, "--material", "\"kd=C ks=C n=N\"",
-             "the surface, instead of the file's: ka, kd, ks (colours), n (exponent); any of them",
+             "the surface, instead of the file's: ka, kd, ks (colours), n (exponent), opacity (0 "
+             "to 1);\n"
+             "any of them",
              [&o](const std::string& text) {
                  parse_material(text, {});  // what is wrong with it is said at once
                  o.material = text;
@@ -76,7 +78,8 @@ void add_mesh_options(CLI::App& app, SceneOptions& o) {
            },
            "what changes over the surface, repeatable. SLOT: diffuse, specular, ambient, "
            "exponent,\n"
-           "bump, normal. KIND: image:PATH, checker, stripes, gradient, waves, and in space wood,\n"
+           "exponent, bump, normal. KIND: image:PATH, checker, stripes, gradient, waves, and in "
+           "space wood,\n"
            "marble, cubes. Then any of mapping=uv|planar|cylindrical|chapter-cylinder|spherical,\n"
            "axis=x|y|z, scale=N, repeat=U[,V], offset=U[,V], count=N, bend=N, low=COLOUR,\n"
            "high=COLOUR, filter=nearest|bilinear|trilinear, wrap=repeat|clamp|mirror, height=N")

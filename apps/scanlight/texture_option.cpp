@@ -25,7 +25,8 @@ using shading::Wrap;
 constexpr std::pair<std::string_view, TextureSlot> slots[] = {
     {"diffuse", TextureSlot::diffuse}, {"specular", TextureSlot::specular},
     {"ambient", TextureSlot::ambient}, {"exponent", TextureSlot::exponent},
-    {"bump", TextureSlot::bump},       {"normal", TextureSlot::normal}};
+    {"opacity", TextureSlot::opacity}, {"bump", TextureSlot::bump},
+    {"normal", TextureSlot::normal}};
 constexpr std::pair<std::string_view, Pattern> patterns[] = {
     {"checker", Pattern::checker},    {"stripes", Pattern::stripes},
     {"gradient", Pattern::gradient},  {"waves", Pattern::waves},
@@ -167,6 +168,8 @@ std::optional<shading::Texture>& slot_of(shading::SurfaceTextures& textures, Tex
             return textures.specular;
         case TextureSlot::exponent:
             return textures.exponent;
+        case TextureSlot::opacity:
+            return textures.opacity;
         case TextureSlot::bump:
             return textures.bump;
         case TextureSlot::normal:

@@ -11,7 +11,7 @@
 namespace scanlight::apps {
 
 /// Which of a material's attributes a texture changes.
-enum class TextureSlot { ambient, diffuse, specular, exponent, bump, normal };
+enum class TextureSlot { ambient, diffuse, specular, exponent, opacity, bump, normal };
 
 /// A texture as the command line gives it.
 struct TextureOption {

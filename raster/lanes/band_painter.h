@@ -134,13 +134,13 @@ private:
     std::size_t draw_short(int y, int x_begin, int x_end, const Ramp& depth,
                            const Ramp* attributes) {
         waiting_.make_room(short_span);
-        Depth* const row = band_.depth_row(y);
+        const PixelPlace row = band_.row(y);
         const std::ptrdiff_t row_begin = band_.stride() * (y - band_.rows().y_begin);
         std::size_t passed = 0;
         for (int x = x_begin; x < x_end; ++x) {
             const Depth z = ramp_at(depth, x - x_begin);
-            if (z >= row[x]) continue;
-            row[x] = z;
+            if (!is_seen(z, walked_, keep_, row + x)) continue;
+            row.depth[x] = z;
             waiting_.add(row_begin + x, walked_,
                          [&](int k) { return ramp_at(attributes[k], x - x_begin); });
             ++passed;

@@ -12,6 +12,10 @@ namespace scanlight::raster::HWY_NAMESPACE {
 //     static constexpr int numbers;     // how many are kept
 //     Ints own(Ints item) const;        // of each polygon, a number of its own: a lane is a
 //     polygon Kept<numbers> of(Ints own, const Ints* attributes) const;  // a lane is a pixel
+//
+// One that keeps only what lies behind something else has also, for a vector and for one pixel:
+//
+//     is_behind(depth, own, PixelPlace) const;
 
 template <int count>
 struct Kept {
@@ -41,13 +45,23 @@ private:
 };
 using KeepItem = KeepAttributes<0>;
 
+/// Whether one pixel of a polygon passes the depth test.
+template <class Keep>
+bool is_seen(Depth z, std::int32_t own, const Keep& keep, PixelPlace at) {
+    if (z >= *at.depth) return false;
+    if constexpr (requires { keep.is_behind(z, own, at); }) return keep.is_behind(z, own, at);
+    return true;
+}
+
 /// The z-buffer (Catmull 1974) for a vector of pixels: where `z` is nearer than what is there, it
 /// and what `keep` makes of `values` take its place. At equal depth the first polygon drawn stays.
 /// Returns how many passed.
 template <class Keep, class Values>
 int store_nearer(Mask covered, Ints z, const Keep& keep, Ints own, const Values& values,
                  PixelPlace at) {
-    const Mask nearer = covered & (z < load(at.depth));
+    Mask nearer = covered & (z < load(at.depth));
+    if constexpr (requires { keep.is_behind(z, own, at); })
+        nearer = nearer & keep.is_behind(z, own, at);
     if (!any(nearer)) return 0;
     store_where(nearer, z, at.depth);
     Ints attributes[Keep::attributes + 1];

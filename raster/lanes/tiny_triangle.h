@@ -19,7 +19,7 @@ PixelCounts draw_tiny(const OneTriangle<Keep>& t, WaitingPixels<Keep>& waiting) 
     const int y = t.y_begin();
     const std::int64_t z = t.depth_at(x, y);
     const Rows rows = t.band.rows();
-    Depth* const depth = t.band.depth_row(rows.y_begin);
+    const PixelPlace first = t.band.row(rows.y_begin);
     const auto pixels = static_cast<std::uint32_t>(t.t.pixels[t.lane]);
     std::size_t passed = 0;
     waiting.make_room(tiny_columns * tiny_rows);
@@ -29,8 +29,8 @@ PixelCounts draw_tiny(const OneTriangle<Keep>& t, WaitingPixels<Keep>& waiting) 
         const int j = bit / tiny_columns;
         const Depth d = Ramp{z + i * plane.dx + j * plane.dy, 0}.get();
         const std::ptrdiff_t place = (y + j - rows.y_begin) * t.band.stride() + x + i;
-        if (d >= depth[place]) continue;
-        depth[place] = d;
+        if (!is_seen(d, t.own, t.keep, first + place)) continue;
+        first.depth[place] = d;
         waiting.add(place, t.own, [&](int k) {
             return OneTriangle<Keep>::Values::attribute_at(t.attributes, k, t.lane, x + i, y + j);
         });

@@ -1,6 +1,7 @@
 #include "render/lane_path.h"
 
 #include "raster/lanes/band_painter.h"
+#include "render/lanes/layers.h"
 #include "render/lanes/light_vertices.h"
 #include "render/lanes/shade.h"
 #include "render/lanes/store.h"
@@ -89,24 +90,19 @@ std::size_t light_band(const ObjectPass& pass, raster::VisibleBand& band, const 
     const auto light = [&](const auto& technique) {
         return light_rows(technique, pass.faces, band, shadows, row, target, background);
     };
-    if (pass.settings->shading == Shading::flat) return light(FlatLanes(pass));
-    if (pass.settings->shading == Shading::gouraud) return light(GouraudLanes(pass));
-    if (!pass.textures.empty()) {
-        return with_model(*pass.settings, [&](auto model) {
-            return light(TexturedPhongLanes<decltype(model)>(pass, model));
-        });
-    }
-    return with_model(*pass.settings, [&](auto model) {
-        return with_paint(pass.mesh(), [&](auto paint) {
-            return light(PhongLanes<decltype(model), paint>(pass, model));
-        });
-    });
+    return with_technique(pass, light);
 }
 
 }  // namespace
 
 extern const LanePath lane_path;
-const LanePath lane_path{
-    &raster::HWY_NAMESPACE::lane_path, place_vertices, light_vertices, see, store_band, light_band};
+const LanePath lane_path{&raster::HWY_NAMESPACE::lane_path,
+                         place_vertices,
+                         light_vertices,
+                         see,
+                         store_band,
+                         light_band,
+                         see_behind,
+                         light_layer_row};
 
 }  // namespace scanlight::render::HWY_NAMESPACE

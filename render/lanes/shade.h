@@ -93,6 +93,11 @@ struct PixelLanes {
     }
 };
 
+inline Floats material_opacity(const ObjectPass& pass, const PixelLanes& pixels) {
+    const auto of_material = [](const auto& m) { return ColorLanes(Floats(m.opacity)); };
+    return light_by_material(pass, pixels.face(), pixels.shown, of_material).x;
+}
+
 /// What is left of a light's term where some lights are in shadow.
 struct Unshadowed {
     Ints shadowed;
@@ -113,6 +118,7 @@ public:
     ColorLanes shade(const PixelLanes& pixels) const {
         return color_of(pixels.item, pixels.shadowed);
     }
+    Floats opacity(const PixelLanes& pixels) const { return material_opacity(pass_, pixels); }
 
     /// A lane is a polygon, or a pixel of one.
     ColorLanes color_of(Ints item, Ints shadowed = Ints(0)) const {
@@ -192,15 +198,17 @@ class GouraudLanes {
 public:
     static constexpr int attributes = 4;
 
-    explicit GouraudLanes(const ObjectPass& pass) : unit_(pass.unit) {}
+    explicit GouraudLanes(const ObjectPass& pass) : pass_(pass), unit_(pass.unit) {}
 
     /// Of one step of an attribute: a power of two.
     float unit() const { return unit_ / raster::attribute_one; }
 
     ColorLanes shade(const PixelLanes& pixels) const { return color_of(pixels.attributes); }
+    Floats opacity(const PixelLanes& pixels) const { return material_opacity(pass_, pixels); }
     ColorLanes color_of(const Ints* attributes) const { return undivided_lanes(attributes, unit_); }
 
 private:
+    const ObjectPass& pass_;
     float unit_;
 };
 
@@ -245,6 +253,8 @@ public:
         });
     }
 
+    Floats opacity(const PixelLanes& pixels) const { return material_opacity(pass_, pixels); }
+
 private:
     VectorLanes point_at(const PixelLanes& pixels) const {
         return point_behind(pass_.frame->world_from_screen, screen_at(pixels));
@@ -269,19 +279,28 @@ public:
 
     ColorLanes shade(const PixelLanes& pixels) const {
         const TexturedSurface<Floats> surface = surface_at(pixels);
-        const auto& numbers = pass_.mesh().face_material;
-        const Ints material =
-            pass_.textures.size() == 1
-                ? Ints(0)
-                : gather(reinterpret_cast<const std::int32_t*>(numbers.data()), pixels.face());
-        return by_material(material, pixels.shown, [&](std::size_t number) {
+        return by_material(materials(pixels), pixels.shown, [&](std::size_t number) {
             return illuminate_textured(model_, surface, pass_.object->materials[number],
                                        pass_.textures[number], pass_.frame->lighting,
                                        Unshadowed{pixels.shadowed});
         });
     }
+    Floats opacity(const PixelLanes& pixels) const {
+        const TexturedSurface<Floats> surface = surface_at(pixels);
+        const auto of_material = [&](std::size_t number) {
+            return ColorLanes(
+                opacity_on(pass_.object->materials[number], pass_.textures[number], surface.site));
+        };
+        return by_material(materials(pixels), pixels.shown, of_material).x;
+    }
 
 private:
+    Ints materials(const PixelLanes& pixels) const {
+        if (pass_.textures.size() == 1) return Ints(0);
+        const auto& numbers = pass_.mesh().face_material;
+        return gather(reinterpret_cast<const std::int32_t*>(numbers.data()), pixels.face());
+    }
+
     TexturedSurface<Floats> surface_at(const PixelLanes& pixels) const {
         const glm::mat4& world_from_screen = pass_.frame->world_from_screen;
         const VectorLanes screen = screen_at(pixels);
@@ -322,6 +341,23 @@ private:
     const ObjectPass& pass_;
     Model model_;
 };
+
+/// Calls `use` with the technique that lights the object's pixels.
+template <class Use>
+decltype(auto) with_technique(const ObjectPass& pass, Use&& use) {
+    if (pass.settings->shading == Shading::flat) return use(FlatLanes(pass));
+    if (pass.settings->shading == Shading::gouraud) return use(GouraudLanes(pass));
+    if (!pass.textures.empty()) {
+        return with_model(*pass.settings, [&](auto model) {
+            return use(TexturedPhongLanes<decltype(model)>(pass, model));
+        });
+    }
+    return with_model(*pass.settings, [&](auto model) {
+        return with_paint(pass.mesh(), [&](auto paint) {
+            return use(PhongLanes<decltype(model), paint>(pass, model));
+        });
+    });
+}
 
 // ---- light at once: see raster/lanes/keep.h
 
@@ -385,6 +421,15 @@ public:
         PixelLanes pixels;
         for (int x = columns.begin; x < columns.end; x += lane_count) {
             if (read(x, y, pixels)) write(technique_.shade(pixels), x);
+        }
+    }
+
+    /// The opacity of all those pixels.
+    SCANLIGHT_FLATTEN void find_opacity(int y, std::vector<float>& row) const {
+        const raster::Columns columns = band_.touched();
+        PixelLanes pixels;
+        for (int x = columns.begin; x < columns.end; x += lane_count) {
+            if (read(x, y, pixels)) store(technique_.opacity(pixels), row.data() + x);
         }
     }
 

@@ -47,6 +47,9 @@ NamedScenes shadow_scenes();
 /// Every kind of texture, on every attribute.
 NamedScenes texture_scenes();
 
+/// Transparent surfaces, some of which intersect.
+NamedScenes glass_scenes();
+
 /// All of them.
 NamedScenes all_scenes();
 

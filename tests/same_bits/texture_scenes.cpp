@@ -137,4 +137,54 @@ NamedScenes texture_scenes() {
     return scenes;
 }
 
+namespace {
+
+/// Two bodies that go through each other, one of glass, and one of glass and other things, over a
+/// floor; the glass has the first or the last place among the objects.
+TestScene glass_scene(bool glass_first, const Settings& settings) {
+    TestScene test = textured_scene("plane:3", {}, settings);
+    test.scene.objects.front().world_from_object[3].y = -0.7;
+    Object ring = test.scene.objects.front();
+    ring.mesh = &test.keep(shape_mesh("torus:14,9"));
+    ring.materials.front().opacity = 0.4f;
+    ring.world_from_object[3] = glm::dvec4(0.1, 0.0, 0.0, 1.0);
+    Object teapot = ring;
+    mesh::Mesh mesh = shape_mesh("teapot:2");
+    mesh.materials.resize(2);
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        mesh.face_material[f] = f % 3 == 0 ? 1 : 0;
+    teapot.mesh = &test.keep(mesh);
+    teapot.materials = several_materials(2);
+    teapot.materials.back().opacity = 0.7f;
+    teapot.textures.clear();
+    if (settings.shading == Shading::phong) {
+        teapot.textures.resize(2);
+        teapot.textures.back().opacity = pattern(Pattern::checker, Mapping::spherical);
+    }
+    test.scene.objects.push_back(teapot);
+    test.scene.objects.insert(glass_first ? test.scene.objects.begin() : test.scene.objects.end(),
+                              ring);
+    test.scene.background = {0.3f, 0.4f, 0.5f, 1.0f};
+    return test;
+}
+
+}  // namespace
+
+NamedScenes glass_scenes() {
+    NamedScenes scenes;
+    const auto add = [&](const std::string& name, bool glass_first, const Settings& settings) {
+        scenes.push_back({"glass/" + name, [=] { return glass_scene(glass_first, settings); }});
+    };
+    for (const auto& [name, shading] : {std::pair{"flat", Shading::flat},
+                                        {"gouraud", Shading::gouraud},
+                                        {"phong", Shading::phong}})
+        add(name, false, {.shading = shading});
+    add("first", true, {});
+    add("shadows", false, {.shadows = Shadows::zfail});
+    add("flat-shadows", false, {.shading = Shading::flat, .shadows = Shadows::zpass});
+    add("gouraud-shadows", false, {.shading = Shading::gouraud, .shadows = Shadows::zfail});
+    add("one-sided", false, {.cull = Cull::back, .sides = Sides::one});
+    return scenes;
+}
+
 }  // namespace scanlight::same_bits

@@ -1,0 +1,127 @@
+#include "render/layers.h"
+
+#include <utility>
+
+#include "render/opacity.h"
+#include "render/shadows.h"
+#include "render/technique.h"
+
+namespace scanlight::render {
+
+namespace {
+
+using Layer = raster::Layer<raster::Rgba>;
+
+/// Where a layer begins: behind the one before it.
+struct Before {
+    raster::Plane<raster::Depth> depth;
+    raster::Plane<std::int32_t> number;
+};
+
+/// Draws layers of a scene, all the surfaces of which are transparent.
+class LayerDrawer {
+public:
+    LayerDrawer(const Scene& scene, const Settings& settings,
+                const raster::Plane<raster::Depth>& end)
+        : scene_(scene), settings_(settings), viewport_{end.width(), end.height()}, end_(end) {}
+
+    /// In this light. Its alpha is the opacity; where there is no surface any more it is 0.
+    Layer draw(const shading::Lighting<float>& lighting, const Before& before,
+               DrawCounts& counts) const {
+        Layer layer(viewport_, end_, raster::Rgba(0.0f));
+        Scene lit = scene_;
+        lit.lighting = lighting;
+        const Frame frame = frame_of(lit, settings_.distances, viewport_);
+        std::int32_t first = 0;
+        for (const Object& object : lit.objects) {
+            counts += draw_object(object, frame, first, before, layer);
+            first += static_cast<std::int32_t>(object.mesh->face_count());
+        }
+        return layer;
+    }
+
+private:
+    DrawCounts draw_object(const Object& object, const Frame& frame, std::int32_t first,
+                           const Before& before, Layer& layer) const {
+        const PlacedMesh mesh = placed(object, frame);
+        return with_technique(mesh, frame, settings_, [&](const auto& technique) {
+            const auto draw_span = [&](std::size_t face, const auto& span, const auto& shade) {
+                return raster::draw_span_behind(span, first + static_cast<std::int32_t>(face),
+                                                before.depth, before.number, layer, shade);
+            };
+            return draw_polygons(mesh, technique, frame, settings_, draw_span);
+        });
+    }
+
+    const Scene& scene_;
+    const Settings& settings_;
+    raster::Viewport viewport_;
+    const raster::Plane<raster::Depth>& end_;  // of the opaque surfaces
+};
+
+/// Adds what a light alone gives, where no opaque object's shadow volume holds the surface.
+void add_light(const Layer& lit, const raster::Plane<std::int32_t>& volumes, Layer& sum) {
+    for (int y = 0; y < sum.target.height(); ++y) {
+        for (int x = 0; x < sum.target.width(); ++x) {
+            if (volumes.at(x, y) != 0) continue;
+            sum.target.at(x, y) += raster::Rgba(glm::vec3(lit.target.at(x, y)), 0.0f);
+        }
+    }
+}
+
+/// In all light that reaches it.
+Layer lit_layer(const SplitScene& scenes, const Settings& settings, const LayerDrawer& drawer,
+                const Before& before, DrawCounts& counts) {
+    const shading::Lighting<float>& lighting = scenes.transparent.lighting;
+    if (settings.shadows == Shadows::none) return drawer.draw(lighting, before, counts);
+    Layer sum = drawer.draw({lighting.ambient, {}}, before, counts);
+    for (std::size_t i = 0; i < lighting.lights.size(); ++i) {
+        DrawCounts again;
+        const auto volumes = count_shadows(scenes.opaque, settings, i, sum.depth);
+        add_light(drawer.draw({glm::vec3(0.0f), {lighting.lights[i]}}, before, again), volumes,
+                  sum);
+    }
+    return sum;
+}
+
+void add_layer(const Layer& layer, raster::Plane<Blend>& blends) {
+    for (int y = 0; y < blends.height(); ++y) {
+        for (int x = 0; x < blends.width(); ++x) {
+            if (layer.number.at(x, y) < 0) continue;
+            const raster::Rgba& color = layer.target.at(x, y);
+            blends.at(x, y).add(glm::vec3(color), color.a);
+        }
+    }
+}
+
+void lay_over(const raster::Plane<Blend>& blends, raster::Plane<raster::Rgba>& color) {
+    for (int y = 0; y < color.height(); ++y) {
+        for (int x = 0; x < color.width(); ++x) {
+            const Blend& blend = blends.at(x, y);
+            if (blend.is_clear()) continue;
+            color.at(x, y) = blend.over(color.at(x, y));
+        }
+    }
+}
+
+}  // namespace
+
+Drawing draw_with_layers(const Scene& scene, const Settings& settings, raster::Viewport viewport) {
+    const SplitScene scenes = split_by_opacity(scene);
+    Drawing result = draw_opaque(scenes.opaque, settings, viewport);
+    const LayerDrawer drawer(scenes.transparent, settings, result.framebuffer.depth);
+    raster::Plane<Blend> blends(viewport, {});
+    Before before{{viewport, -1}, {viewport, -1}};
+    for (int i = 0; i < most_layers; ++i) {
+        DrawCounts counts;
+        Layer layer = lit_layer(scenes, settings, drawer, before, counts);
+        if (i == 0) result.counts += counts;
+        if (counts.pixels_passed == 0) break;
+        add_layer(layer, blends);
+        before = {std::move(layer.depth), std::move(layer.number)};
+    }
+    lay_over(blends, result.framebuffer.color);
+    return result;
+}
+
+}  // namespace scanlight::render

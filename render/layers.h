@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "raster/framebuffer.h"
+#include "render/draw.h"
+
+namespace scanlight::render {
+
+// Transparent surfaces, by colour blending (Newell, Newell & Sancha 1972, "A solution to the hidden
+// surface problem", ACM National Conference):
+//     I = t I_b + (1 - t) I_a
+// of the surface in front, a, and all that is behind it, b. No refraction. At each pixel the
+// surfaces are taken in the order of their depths, the nearest first, one layer of all pixels after
+// another (depth peeling: Mammen 1989, "Transparency and antialiasing algorithms implemented with
+// the virtual pixel maps technique", IEEE CG&A 9(4); Everitt 2001). So the order of the input does
+// not matter, and polygons that intersect come out right.
+
+/// What the layers so far leave of a pixel.
+struct Blend {
+    glm::vec3 color{0.0f};  // of the layers, as far as it comes through
+    float left = 1.0f;      // the share of what lies behind that comes through
+
+    /// A layer behind those so far.
+    void add(const glm::vec3& layer, float opacity) {
+        color += layer * (left * opacity);
+        left *= 1.0f - opacity;
+    }
+
+    /// No layer, or none that can be seen.
+    bool is_clear() const { return left == 1.0f && color == glm::vec3(0.0f); }
+
+    /// With what lies behind them all. Alpha is never premultiplied.
+    raster::Rgba over(const raster::Rgba& behind) const {
+        const float alpha = 1.0f - left * (1.0f - behind.a);
+        if (alpha <= 0.0f) return raster::Rgba(0.0f);
+        return raster::Rgba((color + glm::vec3(behind) * (left * behind.a)) / alpha, alpha);
+    }
+};
+
+/// More layers than this are not drawn at a pixel.
+inline constexpr int most_layers = 1024;
+
+/// Draws a scene with transparent objects: the opaque ones first. Transparent ones are in shadow
+/// but cast none.
+Drawing draw_with_layers(const Scene& scene, const Settings& settings, raster::Viewport viewport);
+
+}  // namespace scanlight::render

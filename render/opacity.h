@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "render/scene.h"
+
+namespace scanlight::render {
+
+/// Whether light comes through the surfaces of one of an object's materials.
+bool is_transparent(const Object& object, std::size_t material);
+bool has_transparent(const Scene& scene);
+
+/// A scene's objects, those that let light through apart from those that do not. An object of both
+/// kinds is in both, each time with the faces that belong there.
+struct SplitScene {
+    Scene opaque;
+    Scene transparent;
+    std::vector<std::unique_ptr<const mesh::Mesh>> parts;  // of such objects
+};
+
+SplitScene split_by_opacity(const Scene& scene);
+
+}  // namespace scanlight::render
