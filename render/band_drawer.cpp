@@ -73,6 +73,7 @@ std::size_t BandDrawer::see(const Picture& picture, const ObjectPass& pass, int 
 /// See layers.h.
 void BandDrawer::draw_layers(const Picture& picture, int number) {
     blends_.assign(band_.pixels(), {});
+    layer_row_.resize(static_cast<std::size_t>(band_.width()) + raster::most_lanes);
     band_.begin_layers();
     for (int i = 0; i < most_layers && see_layer(picture, number); ++i) {
         if (picture.settings.shadows != Shadows::none) shadows_.find(picture.passes, band_, number);

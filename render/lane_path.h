@@ -14,6 +14,11 @@ namespace scanlight::render {
 struct LayerRow {
     VectorStreams color;
     std::vector<float> opacity;
+
+    void resize(std::size_t n) {
+        color.resize(n);
+        opacity.resize(n);
+    }
 };
 
 /// The vector code of this room for one instruction set. All sets give the same bits.
@@ -46,7 +51,8 @@ struct LanePath {
     void (*see_behind)(const ObjectPass&, std::span<const raster::FaceItem> items,
                        raster::VisibleBand&, raster::Walker&);
 
-    /// Illuminates the pixels of a row that show the object. The others are any.
+    /// Illuminates the pixels of a row that show the object. The others are any. The row has room
+    /// for the band's width and a vector.
     void (*light_layer_row)(const ObjectPass&, raster::VisibleBand&, const ShadowBand* shadows,
                             int y, LayerRow&);
 };

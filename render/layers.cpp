@@ -94,6 +94,12 @@ void add_layer(const Layer& layer, raster::Plane<Blend>& blends) {
     }
 }
 
+/// The polygons are the same in each layer.
+DrawCounts pixels_only(DrawCounts counts) {
+    counts.polygons = counts.outside = counts.culled = counts.drawn = 0;
+    return counts;
+}
+
 void lay_over(const raster::Plane<Blend>& blends, raster::Plane<raster::Rgba>& color) {
     for (int y = 0; y < color.height(); ++y) {
         for (int x = 0; x < color.width(); ++x) {
@@ -115,7 +121,7 @@ Drawing draw_with_layers(const Scene& scene, const Settings& settings, raster::V
     for (int i = 0; i < most_layers; ++i) {
         DrawCounts counts;
         Layer layer = lit_layer(scenes, settings, drawer, before, counts);
-        if (i == 0) result.counts += counts;
+        result.counts += i == 0 ? counts : pixels_only(counts);
         if (counts.pixels_passed == 0) break;
         add_layer(layer, blends);
         before = {std::move(layer.depth), std::move(layer.number)};

@@ -43,9 +43,6 @@ void draw(const ObjectPass& pass, std::span<const raster::FaceItem> items,
 template <class Technique>
 void light_row(const Technique& technique, const ObjectPass& pass, raster::VisibleBand& band,
                const ShadowBand* shadows, int y, LayerRow& row) {
-    const auto size = static_cast<std::size_t>(band.width()) + raster::most_lanes;
-    row.color.resize(size);
-    row.opacity.resize(size);
     const RowLighter lighter(technique, pass.faces, band, shadows, row.color);
     lighter.light(y);
     lighter.find_opacity(y, row.opacity);
