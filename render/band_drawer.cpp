@@ -48,9 +48,10 @@ void BandDrawer::draw_then_light(const Picture& picture, int number) {
     for (const ObjectPass& pass : picture.passes) {
         if (see(picture, pass, number) > 0) seen_.push_back(&pass);
     }
-    if (seen_.empty()) return fill_rows(picture.target, band_.rows());
     const bool has_shadows = picture.settings.shadows != Shadows::none;
-    if (has_shadows) shadows_.find(picture.passes, band_, number);
+    if (has_shadows && (!seen_.empty() || !picture.stencils.empty()))
+        shadows_.find(picture.passes, band_, number, picture.stencils);
+    if (seen_.empty()) return fill_rows(picture.target, band_.rows());
     Background background = Background::drawn;
     for (const ObjectPass* pass : seen_) {
         shaded_ += picture.path.light_band(*pass, band_, has_shadows ? &shadows_ : nullptr, row_,
@@ -76,7 +77,8 @@ void BandDrawer::draw_layers(const Picture& picture, int number) {
     layer_row_.resize(static_cast<std::size_t>(band_.width()) + raster::most_lanes);
     band_.begin_layers();
     for (int i = 0; i < most_layers && see_layer(picture, number); ++i) {
-        if (picture.settings.shadows != Shadows::none) shadows_.find(picture.passes, band_, number);
+        if (picture.settings.shadows != Shadows::none)
+            shadows_.find(picture.passes, band_, number, {});
         for (const ObjectPass* pass : seen_)
             add_layer(picture, *pass);
         band_.next_layer();

@@ -25,6 +25,7 @@ public:
         const Settings& settings;
         const Target& target;
         raster::Plane<raster::Depth>* depth;  // may be null
+        std::span<Stencil> stencils;          // one a light, or none
     };
 
     /// A picture begins: nothing is counted yet.

@@ -14,6 +14,7 @@
 #include "render/gouraud.h"
 #include "render/opacity.h"
 #include "render/shadow_volume.h"
+#include "render/shadows.h"
 #include "render/walker.h"
 
 namespace scanlight::render {
@@ -90,13 +91,15 @@ class Renderer::Picture {
 public:
     /// Those of the scene's objects that are transparent come after the `opaque` ones.
     Picture(Memory& memory, const Scene& scene, std::size_t opaque, const Settings& settings,
-            const Target& target, raster::Plane<raster::Depth>* depth)
+            const Target& target, raster::Plane<raster::Depth>* depth,
+            std::span<Stencil> stencils = {})
         : memory_(memory),
           scene_(scene),
           opaque_(opaque),
           settings_(settings),
           target_(target),
           depth_(depth),
+          stencils_(stencils),
           frame_(frame_of(scene, settings.distances, size_of(target))),
           bands_{frame_.viewport.height} {}
 
@@ -184,9 +187,13 @@ private:
         for (BandDrawer& band : memory_.bands)
             band.begin();
         const auto passes = std::span(memory_.passes);
-        const BandDrawer::Picture picture{
-            memory_.path, passes.first(opaque_), passes.subspan(opaque_), settings_, target_,
-            depth_};
+        const BandDrawer::Picture picture{memory_.path,
+                                          passes.first(opaque_),
+                                          passes.subspan(opaque_),
+                                          settings_,
+                                          target_,
+                                          depth_,
+                                          stencils_};
         memory_.workers.for_each(
             static_cast<std::size_t>(bands_.count()), [&](int worker, std::size_t i) {
                 const int number = static_cast<int>(i);
@@ -228,6 +235,7 @@ private:
     const Settings& settings_;
     const Target& target_;
     raster::Plane<raster::Depth>* depth_;
+    std::span<Stencil> stencils_;
     Frame frame_;
     raster::Bands bands_;
 };
@@ -263,6 +271,15 @@ DrawReport draw_by_the_textbook(const Scene& scene, const Settings& settings, co
     return report;
 }
 
+std::vector<Stencil> count_by_the_textbook(const Scene& scene, const Settings& settings,
+                                           raster::Viewport viewport) {
+    const Drawing drawing = draw_depth(scene, settings, viewport);
+    std::vector<Stencil> stencils;
+    for (std::size_t light = 0; light < scene.lighting.lights.size(); ++light)
+        stencils.push_back(count_shadows(scene, settings, light, drawing.framebuffer.depth));
+    return stencils;
+}
+
 }  // namespace
 
 DrawReport Renderer::draw_into(const Scene& scene, const Settings& settings, const Target& target,
@@ -291,6 +308,18 @@ DrawReport Renderer::draw_layers_into(const Scene& scene, const Settings& settin
         copy_row(floats, static_cast<int>(y), target);
     });
     return report;
+}
+
+std::vector<Stencil> Renderer::count_shadows(const Scene& scene, const Settings& settings,
+                                             raster::Viewport viewport) {
+    const SplitScene split = split_by_opacity(scene);
+    const Scene& opaque = split.opaque;
+    if (!knows_shadows(opaque, settings)) return count_by_the_textbook(opaque, settings, viewport);
+    std::vector<Stencil> stencils(scene.lighting.lights.size(), Stencil(viewport, 0));
+    raster::Plane<raster::Rgba> color(viewport, scene.background);
+    const FloatTarget target{&color, scene.background};
+    Picture(*memory_, opaque, opaque.objects.size(), settings, target, nullptr, stencils).draw();
+    return stencils;
 }
 
 std::vector<std::string_view> instruction_sets() {

@@ -61,6 +61,11 @@ public:
                     raster::Plane<raster::PackedPixel>& color, raster::Encoding encoding,
                     raster::Plane<raster::Depth>* depth = {});
 
+    /// What is counted in the stencil to draw the scene with its shadows, for each light: what
+    /// `count_shadows` counts.
+    std::vector<Stencil> count_shadows(const Scene& scene, const Settings& settings,
+                                       raster::Viewport viewport);
+
 private:
     DrawReport draw_into(const Scene& scene, const Settings& settings, const Target& target,
                          raster::Plane<raster::Depth>* depth);

@@ -4,7 +4,8 @@
 
 namespace scanlight::render {
 
-void ShadowBand::find(std::span<const ObjectPass> passes, raster::VisibleBand& band, int number) {
+void ShadowBand::find(std::span<const ObjectPass> passes, raster::VisibleBand& band, int number,
+                      std::span<Stencil> stencils) {
     const raster::Rows rows = band.rows();
     y_begin_ = rows.y_begin;
     stride_ = band.stride();
@@ -15,8 +16,10 @@ void ShadowBand::find(std::span<const ObjectPass> passes, raster::VisibleBand& b
     const raster::CountedBand counted{rows, stride_, band.depth_row(rows.y_begin), counts_.data(),
                                       farthest_.data()};
     const std::size_t lights = passes.empty() ? 0 : passes.front().sides.size();
-    for (std::size_t light = 0; light < lights; ++light)
+    for (std::size_t light = 0; light < lights; ++light) {
         find(light, passes, counted, number);
+        if (!stencils.empty()) copy_counts(rows, stencils[light]);
+    }
 }
 
 void ShadowBand::find_farthest(raster::VisibleBand& band) {
@@ -43,6 +46,11 @@ void ShadowBand::find(std::size_t light, std::span<const ObjectPass> passes,
     const auto bit = static_cast<std::int32_t>(1u << light);
     for (std::size_t i = 0; i < counts_.size(); ++i)
         shadowed_[i] |= counts_[i] != 0 ? bit : 0;
+}
+
+void ShadowBand::copy_counts(raster::Rows rows, Stencil& to) const {
+    for (int y = rows.y_begin; y < rows.y_end; ++y)
+        std::copy_n(counts_.data() + stride_ * (y - y_begin_), to.width(), to.row(y).begin());
 }
 
 }  // namespace scanlight::render

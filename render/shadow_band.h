@@ -6,10 +6,14 @@
 #include <vector>
 
 #include "raster/count_triangle.h"
+#include "raster/framebuffer.h"
 #include "raster/visible_band.h"
 #include "render/object_pass.h"
 
 namespace scanlight::render {
+
+/// How many shadow volumes of a light each pixel's surface lies in.
+using Stencil = raster::Plane<std::int32_t>;
 
 /// Which lights do not reach the surfaces that a band shows: for each pixel a bit a light. Keeps
 /// its memory from one band to the next.
@@ -19,8 +23,10 @@ public:
     static constexpr std::size_t most_lights = 32;
 
     /// Counts the shadow volumes of all objects, a light after the other, against the depths of the
-    /// `number`-th band. All objects have the sides of as many lights.
-    void find(std::span<const ObjectPass> passes, raster::VisibleBand& band, int number);
+    /// `number`-th band. All objects have the sides of as many lights. Where `stencils` are given,
+    /// a picture's plane a light, the band's rows of them get the counts.
+    void find(std::span<const ObjectPass> passes, raster::VisibleBand& band, int number,
+              std::span<Stencil> stencils);
 
     /// A whole vector may be read at its end.
     const std::int32_t* row(int y) const { return shadowed_.data() + stride_ * (y - y_begin_); }
@@ -31,6 +37,7 @@ private:
     void find_farthest(raster::VisibleBand& band);
     void find(std::size_t light, std::span<const ObjectPass> passes,
               const raster::CountedBand& band, int number);
+    void copy_counts(raster::Rows rows, Stencil& to) const;
 
     std::ptrdiff_t stride_ = 0;
     int y_begin_ = 0;

@@ -66,6 +66,28 @@ TEST_P(SameBits, FastPathDrawsWhatTheScanlineWalkDraws) {
     }
 }
 
+void expect_same_stencils(const std::vector<render::Stencil>& expected,
+                          const std::vector<render::Stencil>& stencils) {
+    ASSERT_EQ(expected.size(), stencils.size());
+    for (std::size_t light = 0; light < expected.size(); ++light)
+        EXPECT_EQ(difference(expected[light], stencils[light]), "") << "light " << light;
+}
+
+TEST_P(SameBits, FastPathCountsTheShadowVolumesThatTheScanlineWalkCounts) {
+    const auto expected = count_shadows(test);
+    for (render::Renderer& renderer : fast_ways()) {
+        SCOPED_TRACE(name_of(renderer));
+        expect_same_stencils(expected, count_shadows(test, renderer));
+    }
+}
+
+/// From the eye, beginning with what the near plane cuts open, and from infinity.
+TEST_P(SameBits, ShadowVolumesAreCountedAlikeFromBothEnds) {
+    if (test.settings.shadows == render::Shadows::none) return;
+    expect_same_stencils(count_shadows(test, render::Shadows::zpass),
+                         count_shadows(test, render::Shadows::zfail));
+}
+
 raster::Plane<raster::PackedPixel> packed(const raster::Plane<raster::Rgba>& colors,
                                           raster::Encoding encoding) {
     raster::Plane<raster::PackedPixel> pixels({colors.width(), colors.height()}, 0);

@@ -2,8 +2,10 @@
 
 #include <bit>
 #include <cstdint>
+#include <span>
 
-#include "raster/framebuffer.h"
+#include "render/draw.h"
+#include "render/shadow_band.h"
 
 namespace scanlight::same_bits {
 
@@ -19,6 +21,16 @@ public:
 private:
     std::uint64_t value_ = 0xcbf29ce484222325;
 };
+
+/// Of the bits of all counts, a light after the other.
+inline std::uint64_t hash_of(std::span<const render::Stencil> stencils) {
+    Hash hash;
+    for (const render::Stencil& stencil : stencils) {
+        for (const std::int32_t count : stencil.values())
+            hash.add(static_cast<std::uint32_t>(count));
+    }
+    return hash.value();
+}
 
 /// Of the bits of all colours, then of all depths.
 inline std::uint64_t hash_of(const raster::Framebuffer& picture) {

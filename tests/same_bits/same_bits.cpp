@@ -14,74 +14,86 @@
 #include "tests/same_bits/test_scene.h"
 #include "tests/same_bits/ways.h"
 
-// Prints the hash of each scene's picture, or compares all ways to draw it with hashes on record.
+// Prints two hashes of each scene, or compares all ways to draw it with hashes on record: one of
+// its colours and depths, one of what its shadows count in the stencil; without shadows, of
+// nothing.
 
 namespace scanlight::same_bits {
 
 namespace {
 
-using Hashes = std::map<std::string, std::uint64_t>;
+struct Hashes {
+    std::uint64_t picture = 0;
+    std::uint64_t stencils = 0;
 
-std::string text_of(std::uint64_t hash) {
+    friend bool operator==(const Hashes&, const Hashes&) = default;
+};
+
+using Record = std::map<std::string, Hashes>;
+
+Hashes hashes_of(const TestScene& test, auto&... way) {
+    return {hash_of(draw(test, way...).framebuffer), hash_of(count_shadows(test, way...))};
+}
+
+std::string text_of(const Hashes& hashes) {
     std::ostringstream text;
-    text << std::hex << std::setw(16) << std::setfill('0') << hash;
+    text << std::hex << std::setfill('0') << std::setw(16) << hashes.picture << ' ' << std::setw(16)
+         << hashes.stencils;
     return text.str();
 }
 
 void print_hashes() {
     for (const auto& [name, make] : all_scenes())
-        std::cout << text_of(hash_of(draw(make()).framebuffer)) << ' ' << name << '\n';
+        std::cout << text_of(hashes_of(make())) << ' ' << name << '\n';
 }
 
-Hashes read_hashes(const std::string& path) {
+Record read_hashes(const std::string& path) {
     std::ifstream file(path);
     if (!file) throw std::runtime_error(path + ": can't be read");
-    Hashes hashes;
+    Record record;
     std::string name;
-    std::uint64_t hash = 0;
-    while (file >> std::hex >> hash >> name)
-        hashes[name] = hash;
-    if (!file.eof()) throw std::runtime_error(path + ": not lines of a hash and a name");
-    return hashes;
+    Hashes hashes;
+    while (file >> std::hex >> hashes.picture >> hashes.stencils >> name)
+        record[name] = hashes;
+    if (!file.eof()) throw std::runtime_error(path + ": not lines of two hashes and a name");
+    return record;
 }
 
 /// Compares pictures with the hashes on record, and keeps the number of those that differ.
 class Check {
 public:
-    explicit Check(Hashes recorded) : recorded_(std::move(recorded)) {}
+    explicit Check(Record recorded) : recorded_(std::move(recorded)) {}
 
     void scene(const NamedScene& scene) {
         const auto found = recorded_.find(scene.name);
         if (found == recorded_.end()) return complain(scene.name, "not on record");
         const TestScene test = scene.make();
-        compare(scene.name, "the scanline walk", hash_of(draw(test).framebuffer), found->second);
-        for (render::Renderer& renderer : renderers_) {
-            const std::uint64_t hash = hash_of(draw(test, renderer).framebuffer);
-            compare(scene.name, name_of(renderer), hash, found->second);
-        }
+        compare(scene.name, "the scanline walk", hashes_of(test), found->second);
+        for (render::Renderer& renderer : renderers_)
+            compare(scene.name, name_of(renderer), hashes_of(test, renderer), found->second);
         recorded_.erase(found);
     }
 
     /// Nothing on record may be left over.
     void finish() {
-        for (const auto& [name, hash] : recorded_)
+        for (const auto& [name, hashes] : recorded_)
             complain(name, "on record, but no scene");
     }
 
     int faults() const { return faults_; }
 
 private:
-    void compare(const std::string& scene, const std::string& way, std::uint64_t hash,
-                 std::uint64_t recorded) {
-        if (hash == recorded) return;
-        complain(scene, way + " gives " + text_of(hash) + " instead of " + text_of(recorded));
+    void compare(const std::string& scene, const std::string& way, const Hashes& hashes,
+                 const Hashes& recorded) {
+        if (hashes == recorded) return;
+        complain(scene, way + " gives " + text_of(hashes) + " instead of " + text_of(recorded));
     }
     void complain(const std::string& scene, const std::string& fault) {
         ++faults_;
         std::cout << scene << ": " << fault << '\n';
     }
 
-    Hashes recorded_;
+    Record recorded_;
     std::vector<render::Renderer> renderers_ = renderers(thread_counts);
     int faults_ = 0;
 };

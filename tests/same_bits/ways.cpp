@@ -1,5 +1,7 @@
 #include "tests/same_bits/ways.h"
 
+#include "render/shadows.h"
+
 namespace scanlight::same_bits {
 
 std::vector<render::Renderer> renderers(std::span<const int> threads) {
@@ -29,6 +31,27 @@ render::Drawing draw(const TestScene& test, render::Renderer& renderer) {
 
 render::Drawing draw(const TestScene& test) {
     return render::draw(test.scene, test.settings, test.size);
+}
+
+std::vector<render::Stencil> count_shadows(const TestScene& test, render::Renderer& renderer) {
+    if (test.settings.shadows == render::Shadows::none) return {};
+    return renderer.count_shadows(test.scene, test.settings, test.size);
+}
+
+std::vector<render::Stencil> count_shadows(const TestScene& test, render::Shadows method) {
+    if (method == render::Shadows::none) return {};
+    render::Settings settings = test.settings;
+    settings.shadows = method;
+    const render::Drawing seen = render::draw_depth(test.scene, settings, test.size);
+    std::vector<render::Stencil> stencils;
+    for (std::size_t light = 0; light < test.scene.lighting.lights.size(); ++light)
+        stencils.push_back(
+            render::count_shadows(test.scene, settings, light, seen.framebuffer.depth));
+    return stencils;
+}
+
+std::vector<render::Stencil> count_shadows(const TestScene& test) {
+    return count_shadows(test, test.settings.shadows);
 }
 
 }  // namespace scanlight::same_bits

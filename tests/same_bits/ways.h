@@ -24,4 +24,11 @@ render::Drawing draw(const TestScene& test, render::Renderer& renderer);
 /// By the scanline walk, the oracle.
 render::Drawing draw(const TestScene& test);
 
+/// What is counted in the stencil for each light; of a scene without shadows, nothing.
+std::vector<render::Stencil> count_shadows(const TestScene& test, render::Renderer& renderer);
+
+/// By the scanline walk, for the scene's method or another one.
+std::vector<render::Stencil> count_shadows(const TestScene& test, render::Shadows method);
+std::vector<render::Stencil> count_shadows(const TestScene& test);
+
 }  // namespace scanlight::same_bits
