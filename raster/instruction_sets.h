@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 // The instruction sets for which the sources in the folders named `lanes` are compiled, each in a
 // namespace of its own; see `scanlight_lanes` in the top CMakeLists.txt. The fastest comes first,
 // each with the question whether this machine runs it: the compilers' own rather than that of
@@ -8,9 +11,9 @@
 #ifdef SCANLIGHT_X86_LANES
 
 #define SCANLIGHT_FOR_EACH_SET(USE) \
-    USE(N_AVX3, runs_v4())          \
-    USE(N_AVX2, runs_v3())          \
-    USE(N_SSE4, runs_v2())          \
+    USE(N_AVX3, raster::runs_v4())  \
+    USE(N_AVX2, raster::runs_v3())  \
+    USE(N_SSE4, raster::runs_v2())  \
     USE(N_EMU128, true)
 
 namespace scanlight::raster {
@@ -40,8 +43,21 @@ inline bool runs_v4() {
 
 #endif
 
-/// Declares a room's `lane_path` of one set.
 #define SCANLIGHT_DECLARE_LANE_PATH(set, runs) \
     namespace set {                            \
     extern const LanePath lane_path;           \
+    }
+#define SCANLIGHT_ADD_LANE_PATH(set, runs) \
+    if (runs) paths.push_back(&set::lane_path);
+
+/// Defines a room's `lane_paths` within its namespace: those of all sets that this machine runs.
+#define SCANLIGHT_DEFINE_LANE_PATHS                               \
+    SCANLIGHT_FOR_EACH_SET(SCANLIGHT_DECLARE_LANE_PATH)           \
+    std::span<const LanePath* const> lane_paths() {               \
+        static const std::vector<const LanePath*> runnable = [] { \
+            std::vector<const LanePath*> paths;                   \
+            SCANLIGHT_FOR_EACH_SET(SCANLIGHT_ADD_LANE_PATH)       \
+            return paths;                                         \
+        }();                                                      \
+        return runnable;                                          \
     }
