@@ -68,12 +68,7 @@ vec3 illuminate(vec3 point, vec3 N) {
 }
 )";
 
-struct Sources {
-    std::string vertex;
-    std::string fragment;
-};
-
-const Sources lit_at_vertices{illumination + R"(
+const GlSources lit_at_vertices{illumination + R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 middle;
@@ -85,7 +80,7 @@ void main() {
     color = illuminate(PLACE, normal);
 }
 )",
-                              R"(
+                                R"(
 INTERPOLATED in vec3 color;
 out vec4 pixel;
 
@@ -94,7 +89,7 @@ void main() {
 }
 )"};
 
-const Sources lit_at_pixels{R"(
+const GlSources lit_at_pixels{R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 uniform mat4 clip_from_world;
@@ -106,7 +101,7 @@ void main() {
     interpolated_normal = normal;
 }
 )",
-                            illumination + R"(
+                              illumination + R"(
 in vec3 point, interpolated_normal;
 out vec4 pixel;
 
@@ -115,7 +110,7 @@ void main() {
 }
 )"};
 
-const Sources& sources_of(render::Shading shading) {
+const GlSources& sources_of(render::Shading shading) {
     return shading == render::Shading::phong ? lit_at_pixels : lit_at_vertices;
 }
 
@@ -174,9 +169,14 @@ GLuint gl_program(const render::Settings& settings, const shading::Material<floa
                   const render::Frame& frame) {
     const std::string begin = definitions(settings, material.exponent);
     const auto& [vertex, fragment] = sources_of(settings.shading);
+    return gl_program({begin + vertex, begin + fragment}, material, frame);
+}
+
+GLuint gl_program(const GlSources& sources, const shading::Material<float>& material,
+                  const render::Frame& frame) {
     const GLuint program = glCreateProgram();
-    attach_shader(program, GL_VERTEX_SHADER, begin + vertex);
-    attach_shader(program, GL_FRAGMENT_SHADER, begin + fragment);
+    attach_shader(program, GL_VERTEX_SHADER, sources.vertex);
+    attach_shader(program, GL_FRAGMENT_SHADER, sources.fragment);
     link(program);
     glUseProgram(program);
     set_uniforms(program, material, frame);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "apps/peers/gl.h"
 #include "render/frame.h"
 #include "render/scene.h"
@@ -10,6 +12,17 @@ namespace scanlight::peers {
 /// ready to draw `GlGeometry` with. A whole exponent is squarings here as there: `pow` is slower.
 /// Throws std::runtime_error with the compiler's words; std::invalid_argument for another model.
 GLuint gl_program(const render::Settings& settings, const shading::Material<float>& material,
+                  const render::Frame& frame);
+
+/// The two halves of a program.
+struct GlSources {
+    std::string vertex;
+    std::string fragment;
+};
+
+/// A program of its own, with the same uniforms as far as it has them: clip_from_world, ambient,
+/// diffuse, specular, light, viewpoint. Throws std::runtime_error with the compiler's words.
+GLuint gl_program(const GlSources& sources, const shading::Material<float>& material,
                   const render::Frame& frame);
 
 }  // namespace scanlight::peers

@@ -28,12 +28,16 @@ void attach(GLenum attachment, GLenum format, raster::Viewport size) {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
 }
 
-void bind_framebuffer(raster::Viewport size) {
+void bind_framebuffer(raster::Viewport size, GlTarget::Stencil stencil) {
     GLuint framebuffer = 0;
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     attach(GL_COLOR_ATTACHMENT0, GL_RGBA8, size);
-    attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, size);
+    if (stencil == GlTarget::Stencil::none) {
+        attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, size);
+    } else {
+        attach(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8, size);
+    }
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw std::runtime_error("OSMesa: incomplete framebuffer");
     glViewport(0, 0, size.width, size.height);
@@ -41,12 +45,12 @@ void bind_framebuffer(raster::Viewport size) {
 
 }  // namespace
 
-GlTarget::GlTarget(raster::Viewport size) : size_(size), context_(new_context()) {
+GlTarget::GlTarget(raster::Viewport size, Stencil stencil) : size_(size), context_(new_context()) {
     if (context_ == nullptr || !OSMesaMakeCurrent(context_, &unused_, GL_UNSIGNED_BYTE, 1, 1))
         throw std::runtime_error("OSMesa: no context for OpenGL 3.3");
     if (!renderer().starts_with("llvmpipe"))
         throw std::runtime_error("OSMesa draws by " + renderer() + ", not by llvmpipe");
-    bind_framebuffer(size);
+    bind_framebuffer(size, stencil);
     check_gl("making the framebuffer");
 }
 

@@ -13,8 +13,10 @@ namespace scanlight::peers {
 /// Invariant: context and framebuffer are current. One in a process at a time.
 class GlTarget {
 public:
+    enum class Stencil { none, eight_bits };
+
     /// Throws std::runtime_error if OSMesa has no llvmpipe or no OpenGL 3.3.
-    explicit GlTarget(raster::Viewport size);
+    explicit GlTarget(raster::Viewport size, Stencil stencil = Stencil::none);
     ~GlTarget();
     GlTarget(const GlTarget&) = delete;
     GlTarget& operator=(const GlTarget&) = delete;

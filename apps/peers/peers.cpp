@@ -43,6 +43,8 @@ std::vector<std::string> scene_names() {
     std::vector<std::string> names;
     for (const StagePlan& plan : usual_stages())
         names.push_back(plan.name);
+    for (const ShadowStagePlan& plan : shadow_stages())
+        names.push_back(plan.name);
     return names;
 }
 
@@ -74,6 +76,16 @@ std::vector<StagePlan> plans_of(const PeerOptions& options) {
     return plans;
 }
 
+std::vector<ShadowStagePlan> shadow_plans_of(const PeerOptions& options) {
+    std::vector<ShadowStagePlan> plans;
+    for (ShadowStagePlan& plan : shadow_stages()) {
+        const auto& wanted = options.scenes;
+        const bool is_wanted = std::ranges::find(wanted, plan.name) != wanted.end();
+        if (is_wanted || (wanted.empty() && options.mesh_path.empty())) plans.push_back(plan);
+    }
+    return plans;
+}
+
 /// The same on both sides: back faces are culled, so that only fronts are lit.
 render::Settings settings_of(const PeerOptions& options, const std::string& shading) {
     render::Settings settings;
@@ -94,8 +106,10 @@ public:
     }
 
     void run() {
-        for (const raster::Viewport size : options_.sizes)
+        for (const raster::Viewport size : options_.sizes) {
             run(size);
+            run_shadows(size);
+        }
         if (disagreements_ > 0)
             throw std::runtime_error(std::to_string(disagreements_) + " pictures disagree");
     }
@@ -112,6 +126,19 @@ private:
         }
     }
 
+    void run_shadows(raster::Viewport size) {
+        if (shadow_plans_of(options_).empty()) return;
+        const GlTarget target(size, GlTarget::Stencil::eight_bits);
+        for (const ShadowStagePlan& plan : shadow_plans_of(options_)) {
+            const ShadowStage stage(plan.caster(), size);
+            const ShadowOutcome outcome = contest(renderer_, target, stage, options_.rounds);
+            const std::size_t triangles = triangle_count(stage.caster());
+            disagreements_ += agrees(outcome.frame.agreement) ? 0 : 1;
+            print({size, renderer_.threads(), plan.name, triangles, "frame"}, outcome.frame);
+            print({size, renderer_.threads(), plan.name, triangles, "volumes"}, outcome.shadows);
+        }
+    }
+
     void run(const GlTarget& target, const Stage& stage, const std::string& name,
              const std::string& shading) {
         const Entry entry{stage.size(), renderer_.threads(), name, triangle_count(stage.mesh()),
@@ -119,6 +146,10 @@ private:
         const Outcome outcome =
             contest(renderer_, target, stage, settings_of(options_, shading), options_.rounds);
         disagreements_ += agrees(outcome.agreement) ? 0 : 1;
+        print(entry, outcome);
+    }
+
+    void print(const Entry& entry, const Outcome& outcome) {
         std::cout << table_line(entry, outcome) << std::flush;
         json_ << json_line(entry, outcome) << std::flush;
     }
