@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/surroundings.h"
+
 namespace scanlight::render {
 
 namespace {
@@ -13,6 +15,15 @@ void fill_rows(const Target& target, raster::Rows rows) {
                 std::ranges::fill(t.plane->row(y), t.background);
         },
         target);
+}
+
+void put(const raster::Rgba& color, const Target& target, int x, int y) {
+    if (const auto* floats = std::get_if<FloatTarget>(&target)) {
+        floats->plane->at(x, y) = color;
+    } else {
+        const auto& packed = std::get<PackedTarget>(target);
+        packed.plane->at(x, y) = raster::packed_pixel(color, packed.encoding);
+    }
 }
 
 }  // namespace
@@ -32,6 +43,7 @@ void BandDrawer::draw(const Picture& picture, int width, raster::Rows rows, int 
     band_.clear(width, rows, kept);
     at_once ? draw_lit(picture, number) : draw_then_light(picture, number);
     if (picture.depth != nullptr) copy_depth(*picture.depth);
+    if (picture.frame.surroundings != nullptr) draw_surroundings(picture);
     if (!picture.transparent.empty()) draw_layers(picture, number);
 }
 
@@ -69,6 +81,17 @@ std::size_t BandDrawer::see(const Picture& picture, const ObjectPass& pass, int 
                          band_, walker);
     }
     return band_.counts().passed - before;
+}
+
+/// Where nothing else is.
+void BandDrawer::draw_surroundings(const Picture& picture) {
+    for (int y = band_.rows().y_begin; y < band_.rows().y_end; ++y) {
+        const raster::Depth* depth = band_.depth_row(y);
+        for (int x = 0; x < band_.width(); ++x) {
+            if (depth[x] == raster::depth_clear)
+                put(surroundings_at(picture.frame, x, y), picture.target, x, y);
+        }
+    }
 }
 
 /// See layers.h.

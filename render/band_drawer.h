@@ -22,6 +22,7 @@ public:
         const LanePath& path;
         std::span<const ObjectPass> passes;
         std::span<const ObjectPass> transparent;  // over them; then the target is of floats
+        const Frame& frame;
         const Settings& settings;
         const Target& target;
         raster::Plane<raster::Depth>* depth;  // may be null
@@ -44,6 +45,7 @@ private:
     void draw_lit(const Picture& picture, int number);
     void draw_then_light(const Picture& picture, int number);
     std::size_t see(const Picture& picture, const ObjectPass& pass, int number);
+    void draw_surroundings(const Picture& picture);
     void draw_layers(const Picture& picture, int number);
     bool see_layer(const Picture& picture, int number);
     void add_layer(const Picture& picture, const ObjectPass& pass);

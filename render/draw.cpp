@@ -4,6 +4,7 @@
 #include "render/opacity.h"
 #include "render/shadows.h"
 #include "render/surface_data.h"
+#include "render/surroundings.h"
 #include "render/technique.h"
 
 namespace scanlight::render {
@@ -15,6 +16,16 @@ DrawCounts draw_object(const PlacedMesh& placed, const Frame& frame, const Setti
     return with_technique(placed, frame, settings, [&](const auto& technique) {
         return draw_polygons(placed, technique, frame, settings, target.depth, target.color);
     });
+}
+
+/// Where nothing else is.
+void draw_surroundings(const Frame& frame, raster::Framebuffer& target) {
+    for (int y = 0; y < frame.viewport.height; ++y) {
+        for (int x = 0; x < frame.viewport.width; ++x) {
+            if (target.depth.at(x, y) == raster::depth_clear)
+                target.color.at(x, y) = surroundings_at(frame, x, y);
+        }
+    }
 }
 
 }  // namespace
@@ -43,6 +54,7 @@ Drawing draw_opaque(const Scene& scene, const Settings& settings, raster::Viewpo
     for (const Object& object : scene.objects) {
         result.counts += draw_object(placed(object, frame), frame, settings, result.framebuffer);
     }
+    if (frame.surroundings != nullptr) draw_surroundings(frame, result.framebuffer);
     return result;
 }
 

@@ -34,9 +34,14 @@ Frame frame_of(const Scene& scene, Distances distances, raster::Viewport viewpor
     const Camera& camera = scene.camera;
     const double aspect = static_cast<double>(viewport.width) / viewport.height;
     const glm::dmat4 clip_from_world = clip_from_eye(camera, aspect) * eye_from_world(camera);
-    Frame frame{viewport, clip_from_world,
+    Frame frame{viewport,
+                clip_from_world,
                 glm::mat4(glm::inverse(clip_from_world) * ndc_from_screen(viewport)),
-                glm::vec4(viewpoint(camera)), scene.lighting};
+                glm::vec4(viewpoint(camera)),
+                scene.lighting,
+                scene.mirrored.get(),
+                scene.diffuse.get(),
+                scene.surroundings.get()};
     if (distances == Distances::infinite) {
         frame.viewpoint = glm::vec4(glm::vec3(camera.eye - camera.target), 0.0f);
         frame.lighting = lights_at_infinity(scene.lighting, glm::vec3(camera.target));

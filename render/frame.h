@@ -17,6 +17,9 @@ struct Frame {
     glm::mat4 world_from_screen;  // (x, y in pixels, depth 0 to 1, 1), then divide by w
     glm::vec4 viewpoint;          // world, homogeneous: the eye, or the direction to it
     shading::Lighting<float> lighting;
+    const shading::Environment* mirrored;  // see `Scene`
+    const shading::Environment* diffuse;
+    const shading::Environment* surroundings;
 
     /// Whether all lines of sight are parallel, as those of an orthographic camera.
     bool is_parallel() const {

@@ -21,16 +21,12 @@ struct Before {
 /// Draws layers of a scene, all the surfaces of which are transparent.
 class LayerDrawer {
 public:
-    LayerDrawer(const Scene& scene, const Settings& settings,
-                const raster::Plane<raster::Depth>& end)
-        : scene_(scene), settings_(settings), viewport_{end.width(), end.height()}, end_(end) {}
+    LayerDrawer(const Settings& settings, const raster::Plane<raster::Depth>& end)
+        : settings_(settings), viewport_{end.width(), end.height()}, end_(end) {}
 
-    /// In this light. Its alpha is the opacity; where there is no surface any more it is 0.
-    Layer draw(const shading::Lighting<float>& lighting, const Before& before,
-               DrawCounts& counts) const {
+    /// Its alpha is the opacity; where there is no surface any more it is 0.
+    Layer draw(const Scene& lit, const Before& before, DrawCounts& counts) const {
         Layer layer(viewport_, end_, raster::Rgba(0.0f));
-        Scene lit = scene_;
-        lit.lighting = lighting;
         const Frame frame = frame_of(lit, settings_.distances, viewport_);
         std::int32_t first = 0;
         for (const Object& object : lit.objects) {
@@ -53,7 +49,6 @@ private:
         });
     }
 
-    const Scene& scene_;
     const Settings& settings_;
     raster::Viewport viewport_;
     const raster::Plane<raster::Depth>& end_;  // of the opaque surfaces
@@ -72,14 +67,13 @@ void add_light(const Layer& lit, const raster::Plane<std::int32_t>& volumes, Lay
 /// In all light that reaches it.
 Layer lit_layer(const SplitScene& scenes, const Settings& settings, const LayerDrawer& drawer,
                 const Before& before, DrawCounts& counts) {
-    const shading::Lighting<float>& lighting = scenes.transparent.lighting;
-    if (settings.shadows == Shadows::none) return drawer.draw(lighting, before, counts);
-    Layer sum = drawer.draw({lighting.ambient, {}}, before, counts);
-    for (std::size_t i = 0; i < lighting.lights.size(); ++i) {
+    const Scene& scene = scenes.transparent;
+    if (settings.shadows == Shadows::none) return drawer.draw(scene, before, counts);
+    Layer sum = drawer.draw(lit_by(scene, {scene.lighting.ambient, {}}), before, counts);
+    for (std::size_t i = 0; i < scene.lighting.lights.size(); ++i) {
         DrawCounts again;
         const auto volumes = count_shadows(scenes.opaque, settings, i, sum.depth);
-        add_light(drawer.draw({glm::vec3(0.0f), {lighting.lights[i]}}, before, again), volumes,
-                  sum);
+        add_light(drawer.draw(lit_by_one(scene, i), before, again), volumes, sum);
     }
     return sum;
 }
@@ -115,7 +109,7 @@ void lay_over(const raster::Plane<Blend>& blends, raster::Plane<raster::Rgba>& c
 Drawing draw_with_layers(const Scene& scene, const Settings& settings, raster::Viewport viewport) {
     const SplitScene scenes = split_by_opacity(scene);
     Drawing result = draw_opaque(scenes.opaque, settings, viewport);
-    const LayerDrawer drawer(scenes.transparent, settings, result.framebuffer.depth);
+    const LayerDrawer drawer(settings, result.framebuffer.depth);
     raster::Plane<Blend> blends(viewport, {});
     Before before{{viewport, -1}, {viewport, -1}};
     for (int i = 0; i < most_layers; ++i) {

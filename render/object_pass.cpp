@@ -103,7 +103,7 @@ void ObjectPass::begin(const Object& begun, std::size_t first_face, const Frame&
 void ObjectPass::begin_textures() {
     textured = {mesh().vertices.has_colors(), false};
     textures.clear();
-    if (settings->shading != Shading::phong || !is_textured(*object)) return;
+    if (settings->shading != Shading::phong || !is_textured(*object, *frame)) return;
     textured = textured_attributes(*object);
     textures = placed_textures(*object);
     uv_unit = textured.has_uvs ? uv_unit_of(mesh().vertices) : 1.0f;

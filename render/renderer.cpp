@@ -190,6 +190,7 @@ private:
         const BandDrawer::Picture picture{memory_.path,
                                           passes.first(opaque_),
                                           passes.subspan(opaque_),
+                                          frame_,
                                           settings_,
                                           target_,
                                           depth_,

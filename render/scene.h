@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "mesh/silhouette.h"
 #include "raster/framebuffer.h"
 #include "render/camera.h"
+#include "shading/environment.h"
 #include "shading/illumination.h"
 #include "shading/material.h"
 #include "shading/surface_textures.h"
@@ -31,6 +33,12 @@ struct Scene {
     shading::Lighting<float> lighting;  // world space
     std::vector<Object> objects;
     raster::Rgba background{0.0f};
+    /// The light from far away: what surfaces mirror; what lights them diffusely, pre-integrated
+    /// (see `shading::diffuse_environment`); what is seen behind everything, in the background's
+    /// place. Any may be null. Only Phong-shaded surfaces know the first two.
+    std::shared_ptr<const shading::Environment> mirrored{};
+    std::shared_ptr<const shading::Environment> diffuse{};
+    std::shared_ptr<const shading::Environment> surroundings{};
 };
 
 enum class Shading { flat, gouraud, phong };

@@ -100,12 +100,6 @@ Scene with_silhouettes(Scene scene, std::deque<mesh::SilhouetteFinder>& own) {
     return scene;
 }
 
-/// The same scene in other light.
-Scene lit_by(Scene scene, shading::Lighting<float> lighting) {
-    scene.lighting = std::move(lighting);
-    return scene;
-}
-
 void add_light(const Drawing& lit, const Counts& counts, Drawing& sum) {
     const raster::Viewport size = sum.framebuffer.size();
     for (int y = 0; y < size.height; ++y) {
@@ -150,6 +144,17 @@ std::vector<ShadowCrossing> with_joint_cuts(const std::vector<ShadowCrossing>& c
 }
 
 }  // namespace
+
+Scene lit_by(Scene scene, shading::Lighting<float> lighting) {
+    scene.lighting = std::move(lighting);
+    return scene;
+}
+
+Scene lit_by_one(const Scene& scene, std::size_t light) {
+    Scene alone = lit_by(scene, {glm::vec3(0.0f), {scene.lighting.lights[light]}});
+    alone.mirrored = alone.diffuse = alone.surroundings = nullptr;
+    return alone;
+}
 
 Counts count_shadows(const Scene& scene, const Settings& settings, std::size_t light,
                      const raster::Plane<raster::Depth>& depth) {
@@ -196,8 +201,7 @@ Drawing draw_with_shadows(const Scene& bare, const Settings& settings, raster::V
     Drawing sum = draw_opaque(lit_by(scene, {scene.lighting.ambient, {}}), unshadowed, viewport);
     for (std::size_t i = 0; i < scene.lighting.lights.size(); ++i) {
         const Counts counts = count_shadows(scene, settings, i, sum.framebuffer.depth);
-        const shading::Lighting<float> alone{glm::vec3(0.0f), {scene.lighting.lights[i]}};
-        add_light(draw_opaque(lit_by(scene, alone), unshadowed, viewport), counts, sum);
+        add_light(draw_opaque(lit_by_one(scene, i), unshadowed, viewport), counts, sum);
     }
     return sum;
 }

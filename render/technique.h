@@ -31,7 +31,7 @@ decltype(auto) with_technique(const PlacedMesh& placed, const Frame& frame,
     if (settings.shading == Shading::gouraud) {
         return use(GouraudTechnique(placed, frame, settings));
     }
-    if (settings.shading == Shading::phong && is_textured(*placed.object)) {
+    if (settings.shading == Shading::phong && is_textured(*placed.object, frame)) {
         return with_model(settings, [&](auto model) {
             return with_attribute_count(textured_attributes(*placed.object).count(), [&](auto n) {
                 return use(TexturedPhongTechnique<decltype(model), n>(placed, frame, model));

@@ -28,6 +28,7 @@ PlacedTextures placed(const shading::SurfaceTextures& textures,
 std::vector<PlacedTextures> placed_textures(const Object& object) {
     const glm::mat4 object_from_world(glm::inverse(object.world_from_object));
     std::vector<PlacedTextures> result;
+    if (object.textures.empty()) result.resize(object.materials.size());
     for (const auto& textures : object.textures)
         result.push_back(placed(textures, object_from_world));
     return result;

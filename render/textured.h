@@ -11,7 +11,9 @@
 #include "render/painted.h"
 #include "render/scene.h"
 #include "shading/bump.h"
+#include "shading/environment.h"
 #include "shading/illumination.h"
+#include "shading/reflection.h"
 #include "shading/surface_textures.h"
 
 namespace scanlight::render {
@@ -37,8 +39,15 @@ inline TexturedAttributes textured_attributes(const Object& object) {
     return {object.mesh->vertices.has_colors(), needs_uv && object.mesh->vertices.has_uvs()};
 }
 
-inline bool is_textured(const Object& object) {
-    return std::ranges::any_of(object.textures, &shading::SurfaceTextures::any);
+/// Whether an object's pixels are lit by this file's formulas: where there are textures, or an
+/// environment that lights the object or is mirrored in it.
+inline bool is_textured(const Object& object, const Frame& frame) {
+    const auto has_mirror = [](const shading::Material<float>& material) {
+        return material.mirror != glm::vec3(0.0f);
+    };
+    return std::ranges::any_of(object.textures, &shading::SurfaceTextures::any) ||
+           frame.diffuse != nullptr ||
+           (frame.mirrored != nullptr && std::ranges::any_of(object.materials, has_mirror));
 }
 
 /// The textures of a material, on an object.
@@ -159,18 +168,37 @@ shading::Material<Real, shading::VaryingExponent<Real>> with_exponent(
     return {material.ambient, material.diffuse, material.specular, {select(n < most, n, most)}};
 }
 
-/// `illuminate`, of a textured surface.
+/// What the surface sends without any light source: the ambient term, and what the environment
+/// lights and is mirrored.
+template <class Real, class Power>
+shading::Rgb<Real> unlit_textured(const shading::Surface<Real>& surface,
+                                  const shading::Material<Real, Power>& here,
+                                  const shading::Rgb<float>& mirror, const Frame& frame) {
+    auto intensity = shading::unlit<Real>(here, frame.lighting);
+    if (frame.diffuse != nullptr)
+        intensity = intensity + here.diffuse * shading::light_from(*frame.diffuse, surface.normal);
+    if (frame.mirrored != nullptr) {
+        const auto S = shading::reflected(surface.view, surface.normal);
+        intensity =
+            intensity + shading::Rgb<Real>(mirror) * shading::light_from(*frame.mirrored, S);
+    }
+    return intensity;
+}
+
+/// `illuminate`, of a textured surface, in the frame's light.
 template <class Model, class Real, class Arriving>
 shading::Rgb<Real> illuminate_textured(const Model& model, const TexturedSurface<Real>& s,
                                        const shading::Material<float>& material,
-                                       const PlacedTextures& textures,
-                                       const shading::Lighting<float>& lighting,
+                                       const PlacedTextures& textures, const Frame& frame,
                                        const Arriving& arriving) {
     const shading::Surface<Real> surface{s.surface.point, wrinkled(textures, s), s.surface.view};
     const shading::Material<Real> here = textured(material, textures, s);
-    if (!textures.exponent) return illuminate(model, surface, here, lighting, arriving);
+    const auto unlit = unlit_textured(surface, here, material.mirror, frame);
+    if (!textures.exponent)
+        return with_lights(unlit, model, surface, here, frame.lighting, arriving);
     const Real factor = shading::number_at(*textures.exponent, s.site);
-    return illuminate(model, surface, with_exponent(here, factor), lighting, arriving);
+    return with_lights(unlit, model, surface, with_exponent(here, factor), frame.lighting,
+                       arriving);
 }
 
 }  // namespace scanlight::render

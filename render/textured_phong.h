@@ -76,8 +76,7 @@ public:
                                              color(a),
                                              polygon.outward};
         return raster::Rgba(
-            illuminate_textured(model_, surface, polygon.material, polygon.textures,
-                                frame_.lighting,
+            illuminate_textured(model_, surface, polygon.material, polygon.textures, frame_,
                                 [](std::size_t, const glm::vec3& term) { return term; }),
             opacity_on(polygon.material, polygon.textures, surface.site));
     }

@@ -78,21 +78,36 @@ struct Lighting {
     std::vector<Light<Number>> lights;
 };
 
-/// The light that `surface` sends to its viewer: the ambient term, then each light in the order of
-/// the list, added one by one, for the bits depend on it. World space; linear, not clamped, never
+/// What a surface sends without any light source: the ambient term.
+template <class Real, class Number, class Power, class LightNumber>
+Rgb<Real> unlit(const Material<Number, Power>& material,
+                const Lighting<LightNumber>& lighting) noexcept {
+    return ambient(Rgb<Real>(lighting.ambient), Rgb<Real>(material.ambient));
+}
+
+/// The light that `surface` sends to its viewer: `intensity`, then each light in the order of the
+/// list, added one by one, for the bits depend on it. World space; linear, not clamped, never
 /// negative or NaN as long as material and lights are neither and all is finite.
 /// `arriving(i, term)` is what is left of the i-th light's term: nothing where the light is hidden.
 template <class Model, class Real, class Number, class Power, class LightNumber, class Arriving>
-Rgb<Real> illuminate(const Model& model, const Surface<Real>& surface,
-                     const Material<Number, Power>& material, const Lighting<LightNumber>& lighting,
-                     const Arriving& arriving) noexcept {
-    Rgb<Real> intensity = ambient(Rgb<Real>(lighting.ambient), Rgb<Real>(material.ambient));
+Rgb<Real> with_lights(Rgb<Real> intensity, const Model& model, const Surface<Real>& surface,
+                      const Material<Number, Power>& material,
+                      const Lighting<LightNumber>& lighting, const Arriving& arriving) noexcept {
     for (std::size_t i = 0; i < lighting.lights.size(); ++i) {
         const Light<LightNumber>& light = lighting.lights[i];
         intensity =
             intensity + arriving(i, model(surface, material, incident_at(light, surface.point)));
     }
     return intensity;
+}
+
+/// The light that `surface` sends to its viewer: the ambient term and all lights.
+template <class Model, class Real, class Number, class Power, class LightNumber, class Arriving>
+Rgb<Real> illuminate(const Model& model, const Surface<Real>& surface,
+                     const Material<Number, Power>& material, const Lighting<LightNumber>& lighting,
+                     const Arriving& arriving) noexcept {
+    return with_lights(unlit<Real>(material, lighting), model, surface, material, lighting,
+                       arriving);
 }
 
 /// The same where nothing casts a shadow.

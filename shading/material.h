@@ -12,8 +12,9 @@ struct Material {
     Rgb<Number> ambient{Number(0.2)};  // K_a
     Rgb<Number> diffuse{Number(0.8)};  // K_d
     Rgb<Number> specular{Number(0)};   // K_s
-    Power exponent{1};  // n, usually 1 to 2000: the larger, the smaller the highlight
-    float opacity = 1;  // 1 - t: 0 lets all light through, 1 none
+    Power exponent{1};              // n, usually 1 to 2000: the larger, the smaller the highlight
+    float opacity = 1;              // 1 - t: 0 lets all light through, 1 none
+    Rgb<Number> mirror{Number(0)};  // K_s', of the environment mirrored
 };
 
 }  // namespace scanlight::shading

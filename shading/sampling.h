@@ -97,16 +97,21 @@ Texel<Real> nearest_texel(const TexelImage& image, const TexelLevel<Real>& level
 }
 
 template <class Real>
-Texel<Real> bilinear_texel(const TexelImage& image, const TexelLevel<Real>& level, Real u, Real v,
-                           Wrap wrap) noexcept {
-    const auto x = neighbours<Real>(u, level.width, wrap);
-    const auto y = neighbours<Real>(v, level.height, wrap);
+Texel<Real> bilinear_texel(const TexelImage& image, const TexelLevel<Real>& level,
+                           const Neighbours<Real>& x, const Neighbours<Real>& y) noexcept {
     const auto row = [&](Whole<Real> j) {
         const Whole<Real> begin = level.begin + j * level.width;
         return mixed(texel_at<Real>(image, begin + x.first),
                      texel_at<Real>(image, begin + x.second), x.share_of_second);
     };
     return mixed(row(y.first), row(y.second), y.share_of_second);
+}
+
+template <class Real>
+Texel<Real> bilinear_texel(const TexelImage& image, const TexelLevel<Real>& level, Real u, Real v,
+                           Wrap wrap) noexcept {
+    return bilinear_texel(image, level, neighbours<Real>(u, level.width, wrap),
+                          neighbours<Real>(v, level.height, wrap));
 }
 
 /// How large a pixel is on the texture, as a level of its pyramid: 0 where a texel covers a pixel

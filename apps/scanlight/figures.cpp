@@ -129,6 +129,14 @@ const std::vector<Figure>& figures() {
           "sphere:48,24 --texture \"exponent=stripes count=12 low=0.1\" "
           "--material \"kd=#803020 ks=0.9 n=80\"",
           "sphere:48,24 --texture \"bump=marble height=0.1\" --material \"kd=#803020 ks=0.6 n=30\""}},
+        {"environment",
+         "A room mirrored in a teapot and in a ball, which show the room and not themselves; and a "
+         "matt ball in the room's light alone.",
+         {"teapot:10 --environment room --material \"kd=0.05 mirror=0.8\" --fov 50",
+          "sphere:64,32 --environment room --material \"kd=#602010 ka=0.1 mirror=0.5 ks=0.5 n=60\" "
+          "--fov 50",
+          "sphere:64,32 --environment room --environment-light --ambient 0 --light 0,0,1,#000 "
+          "--material \"kd=0.9\" --fov 50"}},
         {"transparency",
          "A ring of coloured glass, each of its surfaces blended over what is behind it, nearest "
          "first; on a floor with shadows, of which glass casts none; and opaque stripes on glass.",

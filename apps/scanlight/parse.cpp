@@ -190,7 +190,8 @@ shading::Material<float> parse_material(std::string_view text, shading::Material
     for (const std::string_view word : split(text, ' ')) {
         if (word.empty()) continue;
         const auto parts = split(word, '=');
-        if (parts.size() != 2) refuse("material", word, "ka=…, kd=…, ks=…, n=… or opacity=…");
+        if (parts.size() != 2)
+            refuse("material", word, "ka=…, kd=…, ks=…, n=…, mirror=… or opacity=…");
         const auto [key, value] = std::pair(parts[0], parts[1]);
         if (key == "n") {
             const double exponent = parse_number(value, "material n");
@@ -204,12 +205,14 @@ shading::Material<float> parse_material(std::string_view text, shading::Material
             if (!has_ambient) base.ambient = base.diffuse;
         } else if (key == "ks") {
             base.specular = parse_color(value);
+        } else if (key == "mirror") {
+            base.mirror = parse_color(value);
         } else if (key == "opacity") {
             base.opacity = static_cast<float>(parse_number(value, "material opacity"));
             if (!(base.opacity >= 0.0f && base.opacity <= 1.0f))
                 refuse("material opacity", value, "a number from 0 to 1");
         } else {
-            refuse("material", word, "ka=…, kd=…, ks=…, n=… or opacity=…");
+            refuse("material", word, "ka=…, kd=…, ks=…, n=…, mirror=… or opacity=…");
         }
     }
     return base;

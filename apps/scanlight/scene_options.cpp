@@ -63,9 +63,8 @@ void add_mesh_options(CLI::App& app, SceneOptions& o) {
         ->check(within(0.0, 180.0))
         ->capture_default_str();
     add_text(app, "--material", "\"kd=C ks=C n=N\"",
-             "the surface, instead of the file's: ka, kd, ks (colours), n (exponent), opacity (0 "
-             "to 1);\n"
-             "any of them",
+             "the surface, instead of the file's: ka, kd, ks, mirror (colours), n (exponent),\n"
+             "opacity (0 to 1); any of them",
              [&o](const std::string& text) {
                  parse_material(text, {});  // what is wrong with it is said at once
                  o.material = text;
@@ -134,6 +133,14 @@ void add_light_options(CLI::App& app, SceneOptions& o) {
     app.add_option("--gouraud71-k", o.settings.gouraud71_k, "k of gouraud71, in world units")
         ->check(within(1e-6, 1e6))
         ->capture_default_str();
+    app.add_option("--environment", o.environment,
+                   "a picture of all directions, or the built-in room, seen behind everything;\n"
+                   "surfaces with a mirror= colour reflect it in Phong shading")
+        ->type_name("FILE|room");
+    add_choice(app, "--environment-layout", o.environment_layout,
+               "longitude and latitude with y up, or a mirror ball seen from the camera");
+    app.add_flag("--environment-light", o.environment_light,
+                 "the environment lights matt surfaces too, in Phong shading");
     add_text(app, "--ambient", "COLOUR", "the ambient light I_a: #rrggbb, or linear grey or r,g,b",
              [&o](const std::string& text) { o.ambient = parse_color(text); })
         ->default_str("0.15");

@@ -47,6 +47,9 @@ struct SceneOptions {
     glm::vec3 ambient{0.15f};
     std::string material;
     std::vector<TextureOption> textures;
+    std::string environment;  // an image file; "": none
+    shading::EnvironmentLayout environment_layout = shading::EnvironmentLayout::latitudes;
+    bool environment_light = false;
     bool floor = false;
     std::optional<glm::vec3> background{glm::vec3(0.807f, 0.831f, 0.871f)};  // none: transparent
 };

@@ -6,10 +6,14 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "apps/scanlight/usage_error.h"
 #include "mesh/bounds.h"
 #include "mesh/triangulate.h"
+#include "raster/load_image.h"
 #include "render/framing.h"
 #include "render/materials.h"
+#include "render/room.h"
+#include "render/texture_image.h"
 
 namespace scanlight::apps {
 
@@ -117,6 +121,33 @@ shading::Lighting<float> lighting_of(const render::Camera& camera, const SceneOp
     return lighting;
 }
 
+/// A picture's axes: y is up in the world, and a mirror ball is seen by the camera.
+glm::mat3 environment_axes(const SceneOptions& options, const render::Camera& camera) {
+    if (options.environment_layout == shading::EnvironmentLayout::sphere)
+        return glm::mat3(glm::dmat3(render::eye_from_world(camera)));
+    return {0, 1, 0, 0, 0, 1, 1, 0, 0};
+}
+
+std::shared_ptr<const shading::TexelImage> environment_image(const SceneOptions& options) {
+    if (options.environment == "room") return render::room(512);
+    auto image =
+        render::texel_image(raster::load_image(options.environment), render::TexelMeaning::color);
+    if (!image) throw UsageError(options.environment + ": too large for an environment");
+    return image;
+}
+
+void add_environment(const SceneOptions& options, render::Scene& scene) {
+    shading::Environment environment{options.environment_layout,
+                                     {environment_image(options)},
+                                     environment_axes(options, scene.camera)};
+    scene.mirrored = std::make_shared<const shading::Environment>(environment);
+    scene.surroundings = scene.mirrored;
+    if (!options.environment_light) return;
+    environment.images[0] = shading::diffuse_environment(environment, 32, 64);
+    environment.layout = shading::EnvironmentLayout::latitudes;
+    scene.diffuse = std::make_shared<const shading::Environment>(environment);
+}
+
 }  // namespace
 
 Model load_model(const SceneOptions& options) {
@@ -141,6 +172,7 @@ render::Scene scene_of(const Model& model, const SceneOptions& options) {
     if (options.settings.shadows != render::Shadows::none)
         scene.camera = render::with_room_for_shadows(scene.camera);
     scene.lighting = lighting_of(scene.camera, options);
+    if (!options.environment.empty()) add_environment(options, scene);
     scene.background =
         options.background ? raster::Rgba(*options.background, 1.0f) : raster::Rgba(0.0f);
     return scene;

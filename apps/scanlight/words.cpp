@@ -43,6 +43,10 @@ Words<render::Shadows> words_beside(render::Shadows) {
         {"none", none}, {"zpass", zpass}, {"zpass-from-zero", zpass_from_zero}, {"zfail", zfail}};
 }
 
+Words<shading::EnvironmentLayout> words_beside(shading::EnvironmentLayout) {
+    using enum shading::EnvironmentLayout;
+    return {{"latitudes", latitudes}, {"sphere", sphere}};
+}
 Words<Show> words_beside(Show) {
     using enum Show;
     return {{"light", light}, {"stencil", stencil}};

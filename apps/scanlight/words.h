@@ -25,6 +25,7 @@ Words<render::Sides> words_beside(render::Sides);
 Words<render::Distances> words_beside(render::Distances);
 Words<render::Shadows> words_beside(render::Shadows);
 Words<Show> words_beside(Show);
+Words<shading::EnvironmentLayout> words_beside(shading::EnvironmentLayout);
 Words<mesh::NormalWeight> words_beside(mesh::NormalWeight);
 Words<render::Projection> words_beside(render::Projection);
 Words<DrawPath> words_beside(DrawPath);

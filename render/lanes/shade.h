@@ -281,7 +281,7 @@ public:
         const TexturedSurface<Floats> surface = surface_at(pixels);
         return by_material(materials(pixels), pixels.shown, [&](std::size_t number) {
             return illuminate_textured(model_, surface, pass_.object->materials[number],
-                                       pass_.textures[number], pass_.frame->lighting,
+                                       pass_.textures[number], *pass_.frame,
                                        Unshadowed{pixels.shadowed});
         });
     }

@@ -50,6 +50,9 @@ NamedScenes texture_scenes();
 /// Transparent surfaces, some of which intersect.
 NamedScenes glass_scenes();
 
+/// In the light of an environment.
+NamedScenes room_scenes();
+
 /// All of them.
 NamedScenes all_scenes();
 

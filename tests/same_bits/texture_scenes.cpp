@@ -170,6 +170,37 @@ TestScene glass_scene(bool glass_first, const Settings& settings) {
 
 }  // namespace
 
+namespace {
+
+/// In the light of an environment, which is mirrored and seen.
+TestScene room_scene(shading::EnvironmentLayout layout, const Settings& settings) {
+    TestScene test = glass_scene(false, settings);
+    shading::Environment environment{layout, {}, glm::mat3(0, 1, 0, 0, 0, 1, 1, 0, 0)};
+    environment.images.fill(test_image(31, 17));
+    test.scene.mirrored = std::make_shared<const shading::Environment>(environment);
+    test.scene.surroundings = test.scene.diffuse = test.scene.mirrored;
+    for (Object& object : test.scene.objects)
+        object.materials.back().mirror = {0.5f, 0.6f, 0.3f};
+    return test;
+}
+
+}  // namespace
+
+NamedScenes room_scenes() {
+    NamedScenes scenes;
+    const auto add = [&](const std::string& name, shading::EnvironmentLayout layout,
+                         const Settings& settings) {
+        scenes.push_back({"room/" + name, [=] { return room_scene(layout, settings); }});
+    };
+    using enum shading::EnvironmentLayout;
+    add("latitudes", latitudes, {});
+    add("sphere", sphere, {.sides = Sides::one});
+    add("cube", cube, {});
+    add("shadows", latitudes, {.shadows = Shadows::zfail});
+    add("gouraud", latitudes, {.shading = Shading::gouraud});
+    return scenes;
+}
+
 NamedScenes glass_scenes() {
     NamedScenes scenes;
     const auto add = [&](const std::string& name, bool glass_first, const Settings& settings) {
