@@ -1,5 +1,6 @@
 #include "tests/same_bits/ways.h"
 
+#include "render/opacity.h"
 #include "render/shadows.h"
 
 namespace scanlight::same_bits {
@@ -42,11 +43,12 @@ std::vector<render::Stencil> count_shadows(const TestScene& test, render::Shadow
     if (method == render::Shadows::none) return {};
     render::Settings settings = test.settings;
     settings.shadows = method;
-    const render::Drawing seen = render::draw_depth(test.scene, settings, test.size);
+    const render::SplitScene scenes = render::split_by_opacity(test.scene);
+    const render::Drawing seen = render::draw_depth(scenes.opaque, settings, test.size);
     std::vector<render::Stencil> stencils;
     for (std::size_t light = 0; light < test.scene.lighting.lights.size(); ++light)
         stencils.push_back(
-            render::count_shadows(test.scene, settings, light, seen.framebuffer.depth));
+            render::count_shadows(scenes.opaque, settings, light, seen.framebuffer.depth));
     return stencils;
 }
 
