@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/shadow_map.h"
 #include "render/surroundings.h"
 
 namespace scanlight::render {
@@ -62,13 +63,21 @@ void BandDrawer::draw_then_light(const Picture& picture, int number) {
     }
     const bool has_shadows = picture.settings.shadows != Shadows::none;
     if (has_shadows && (!seen_.empty() || !picture.stencils.empty()))
-        shadows_.find(picture.passes, band_, number, picture.stencils);
+        find_shadows(picture, number, picture.stencils);
     if (seen_.empty()) return fill_rows(picture.target, band_.rows());
     Background background = Background::drawn;
     for (const ObjectPass* pass : seen_) {
         shaded_ += picture.path.light_band(*pass, band_, has_shadows ? &shadows_ : nullptr, row_,
                                            picture.target, background);
         background = Background::kept;
+    }
+}
+
+void BandDrawer::find_shadows(const Picture& picture, int number, std::span<Stencil> stencils) {
+    if (counts_volumes(picture.settings.shadows)) {
+        shadows_.find(picture.passes, band_, number, stencils);
+    } else {
+        shadows_.find(picture.maps, picture.frame, band_);
     }
 }
 
@@ -100,8 +109,7 @@ void BandDrawer::draw_layers(const Picture& picture, int number) {
     layer_row_.resize(static_cast<std::size_t>(band_.width()) + raster::most_lanes);
     band_.begin_layers();
     for (int i = 0; i < most_layers && see_layer(picture, number); ++i) {
-        if (picture.settings.shadows != Shadows::none)
-            shadows_.find(picture.passes, band_, number, {});
+        if (picture.settings.shadows != Shadows::none) find_shadows(picture, number, {});
         for (const ObjectPass* pass : seen_)
             add_layer(picture, *pass);
         band_.next_layer();

@@ -23,6 +23,7 @@ public:
         std::span<const ObjectPass> passes;
         std::span<const ObjectPass> transparent;  // over them; then the target is of floats
         const Frame& frame;
+        std::span<const ShadowMap> maps;  // of all lights, where shadows are theirs
         const Settings& settings;
         const Target& target;
         raster::Plane<raster::Depth>* depth;  // may be null
@@ -44,6 +45,7 @@ public:
 private:
     void draw_lit(const Picture& picture, int number);
     void draw_then_light(const Picture& picture, int number);
+    void find_shadows(const Picture& picture, int number, std::span<Stencil> stencils);
     std::size_t see(const Picture& picture, const ObjectPass& pass, int number);
     void draw_surroundings(const Picture& picture);
     void draw_layers(const Picture& picture, int number);

@@ -1,8 +1,8 @@
 #include "render/draw.h"
 
+#include "render/draw_with_shadows.h"
 #include "render/layers.h"
 #include "render/opacity.h"
-#include "render/shadows.h"
 #include "render/surface_data.h"
 #include "render/surroundings.h"
 #include "render/technique.h"
@@ -93,6 +93,20 @@ raster::Plane<std::uint32_t> draw_ids(const Scene& scene, const Settings& settin
         if (!object.mesh->face_id.empty()) first_id += object.mesh->face_id.back() + 1;
     }
     return ids;
+}
+
+raster::Plane<std::uint32_t> draw_items(const Scene& scene, const Settings& settings,
+                                        raster::Viewport viewport) {
+    raster::Plane<raster::Depth> depth(viewport, raster::depth_clear);
+    raster::Plane<std::uint32_t> items(viewport, 0);
+    const Frame frame = frame_of(scene, settings.distances, viewport);
+    std::uint32_t first_item = 1;
+    for (const Object& object : scene.objects) {
+        const PlacedMesh mesh = placed(object, frame);
+        draw_polygons(mesh, ItemTechnique(first_item), frame, settings, depth, items);
+        first_item += static_cast<std::uint32_t>(object.mesh->face_count());
+    }
+    return items;
 }
 
 raster::Plane<float> eye_distances(const raster::Plane<raster::Depth>& depth,

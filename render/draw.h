@@ -32,6 +32,10 @@ raster::Plane<glm::vec3> draw_normals(const Scene& scene, const Settings& settin
 raster::Plane<std::uint32_t> draw_ids(const Scene& scene, const Settings& settings,
                                       raster::Viewport viewport);
 
+/// Which face each pixel shows: its place among those of all objects plus 1; 0 where nothing is.
+raster::Plane<std::uint32_t> draw_items(const Scene& scene, const Settings& settings,
+                                        raster::Viewport viewport);
+
 /// Distance from the eye along the view, in world units; 0 where nothing is.
 raster::Plane<float> eye_distances(const raster::Plane<raster::Depth>& depth, const Camera& camera);
 

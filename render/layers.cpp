@@ -2,8 +2,9 @@
 
 #include <utility>
 
+#include "render/draw_with_shadows.h"
+#include "render/lit_share.h"
 #include "render/opacity.h"
-#include "render/shadows.h"
 #include "render/technique.h"
 
 namespace scanlight::render {
@@ -54,14 +55,21 @@ private:
     const raster::Plane<raster::Depth>& end_;  // of the opaque surfaces
 };
 
-/// Adds what a light alone gives, where no opaque object's shadow volume holds the surface.
-void add_light(const Layer& lit, const raster::Plane<std::int32_t>& volumes, Layer& sum) {
+/// Adds what a light alone gives, as far as it reaches the surfaces.
+void add_light(const Layer& lit, const raster::Plane<float>& shares, Layer& sum) {
     for (int y = 0; y < sum.target.height(); ++y) {
         for (int x = 0; x < sum.target.width(); ++x) {
-            if (volumes.at(x, y) != 0) continue;
-            sum.target.at(x, y) += raster::Rgba(glm::vec3(lit.target.at(x, y)), 0.0f);
+            const float share = shares.at(x, y);
+            if (share == 0.0f) continue;
+            sum.target.at(x, y) += raster::Rgba(share * glm::vec3(lit.target.at(x, y)), 0.0f);
         }
     }
+}
+
+/// Detail polygons lie on opaque surfaces only.
+Settings shadows_on_layers(Settings settings) {
+    if (settings.shadows == Shadows::polygons) settings.shadows = Shadows::zfail;
+    return settings;
 }
 
 /// In all light that reaches it.
@@ -69,11 +77,12 @@ Layer lit_layer(const SplitScene& scenes, const Settings& settings, const LayerD
                 const Before& before, DrawCounts& counts) {
     const Scene& scene = scenes.transparent;
     if (settings.shadows == Shadows::none) return drawer.draw(scene, before, counts);
+    const Settings method = shadows_on_layers(settings);
     Layer sum = drawer.draw(lit_by(scene, {scene.lighting.ambient, {}}), before, counts);
     for (std::size_t i = 0; i < scene.lighting.lights.size(); ++i) {
         DrawCounts again;
-        const auto volumes = count_shadows(scenes.opaque, settings, i, sum.depth);
-        add_light(drawer.draw(lit_by_one(scene, i), before, again), volumes, sum);
+        const auto shares = lit_share(scenes.opaque, method, i, sum.depth);
+        add_light(drawer.draw(lit_by_one(scene, i), before, again), shares, sum);
     }
     return sum;
 }

@@ -7,12 +7,15 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "raster/workers.h"
 #include "render/band_drawer.h"
 #include "render/draw.h"
 #include "render/gouraud.h"
+#include "render/light_view.h"
 #include "render/opacity.h"
+#include "render/shadow_map.h"
 #include "render/shadow_volume.h"
 #include "render/shadows.h"
 #include "render/walker.h"
@@ -73,9 +76,12 @@ struct Renderer::Memory {
     std::vector<BandDrawer> bands;             // one a thread
     std::vector<ObjectPass> passes;
     raster::Plane<raster::Rgba> floats;  // of a picture with transparent surfaces
+    std::vector<ShadowMap> maps;         // of each light
 
     std::size_t bytes() const {
         std::size_t sum = floats.values().size_bytes();
+        for (const ShadowMap& map : maps)
+            sum += map.bytes();
         for (const ObjectPass& pass : passes)
             sum += pass.bytes();
         for (const raster::Survivors& scratch : survivors)
@@ -172,14 +178,33 @@ private:
     }
 
     void find_shadows() {
-        const bool any = settings_.shadows != Shadows::none;
-        const std::size_t lights = any ? frame_.lighting.lights.size() : 0;
+        find_sides(counts_volumes(settings_.shadows) ? frame_.lighting.lights.size() : 0);
+        memory_.maps.clear();
+        if (settings_.shadows == Shadows::map) draw_maps();
+    }
+
+    void find_sides(std::size_t lights) {
         for (ObjectPass& pass : opaque())
             pass.begin_shadows(lights);
         memory_.workers.for_each(opaque_ * lights, [&](int, std::size_t i) {
             ObjectPass& pass = memory_.passes[i / lights];
             const std::size_t light = i % lights;
             pass.sides[light].find(pass, homogeneous(frame_.lighting.lights[light]), bands_);
+        });
+    }
+
+    void draw_maps() {
+        const auto end = scene_.objects.begin() + static_cast<std::ptrdiff_t>(opaque_);
+        const std::vector<Object> casters(scene_.objects.begin(), end);
+        std::vector<std::pair<std::size_t, std::size_t>> views;  // of which map, and which of it
+        for (const auto& light : frame_.lighting.lights) {
+            const std::size_t map = memory_.maps.size();
+            memory_.maps.emplace_back(casters, homogeneous(light), settings_.shadow_map);
+            for (std::size_t view = 0; view < memory_.maps.back().view_count(); ++view)
+                views.emplace_back(map, view);
+        }
+        memory_.workers.for_each(views.size(), [&](int, std::size_t i) {
+            memory_.maps[views[i].first].draw(views[i].second, casters);
         });
     }
 
@@ -191,6 +216,7 @@ private:
                                           passes.first(opaque_),
                                           passes.subspan(opaque_),
                                           frame_,
+                                          memory_.maps,
                                           settings_,
                                           target_,
                                           depth_,
@@ -254,10 +280,20 @@ void copy_row(const raster::Plane<raster::Rgba>& from, int y, const Target& to) 
     }
 }
 
+/// A bit a light for each pixel: no share of it. The maps of all lights are there at one time.
+bool knows_maps(const Scene& scene, const Settings& settings) {
+    constexpr std::size_t most = std::size_t{1} << 28;  // bytes
+    return settings.shadow_map.filter == 1 &&
+           most_bytes(scene.lighting.lights, settings.shadow_map) <= most;
+}
+
 /// Intensities of the vertices would have to be interpolated for each light apart.
 bool knows_shadows(const Scene& scene, const Settings& settings) {
-    return settings.shading != Shading::gouraud && sides_suffice(scene, settings) &&
-           scene.lighting.lights.size() <= ShadowBand::most_lights;
+    if (settings.shading == Shading::gouraud ||
+        scene.lighting.lights.size() > ShadowBand::most_lights)
+        return false;
+    if (settings.shadows == Shadows::map) return knows_maps(scene, settings);
+    return counts_volumes(settings.shadows) && sides_suffice(scene, settings);
 }
 
 /// What the fast path does not know.

@@ -25,7 +25,7 @@ std::vector<std::string_view> instruction_sets();
 struct StageTimes {
     double vertices = 0.0;  // placed and, for Gouraud, lit
     double bins = 0.0;      // polygons culled and sorted into bands
-    double shadows = 0.0;   // volumes found and clipped
+    double shadows = 0.0;   // volumes found and clipped, or maps drawn
     double bands = 0.0;     // rasterized and shaded
 };
 
@@ -38,9 +38,10 @@ struct DrawReport {
 /// The fast path: draws what `draw` draws, to the bit, by vectors and threads. First the vertices,
 /// many at a time; then polygons are culled and sorted into bands of rows; then each thread takes
 /// one band after the other, finds out what each pixel shows, and only then lights the pixels. See
-/// docs/fast-path.md. Some shadows it leaves to `draw`: of Gouraud shading, of culled polygons, and
-/// of polygons of more than four corners. Keeps its threads and its memory from one
-/// picture to the next; not for two callers at once.
+/// docs/fast-path.md. Some shadows it leaves to `draw`: of Gouraud shading; by volumes those of
+/// culled polygons and of polygons of more than four corners; by maps those that are filtered, or
+/// take more than 256 MiB; all by polygons. Keeps its threads and its memory from one picture to
+/// the next; not for two callers at once.
 class Renderer {
 public:
     /// Throws std::invalid_argument for instructions that this machine does not run.

@@ -63,6 +63,20 @@ enum class Shadows {
     zpass,            // shadow volumes, counted from the eye to the surface
     zpass_from_zero,  // the same without a thought to where the eye is: wrong in a shadow
     zfail,            // shadow volumes, counted from infinity back to the surface
+    map,              // a z-buffer of what the light sees
+    polygons,         // the parts of polygons that the light sees, as polygons
+};
+
+constexpr bool counts_volumes(Shadows shadows) {
+    return shadows == Shadows::zpass || shadows == Shadows::zpass_from_zero ||
+           shadows == Shadows::zfail;
+}
+
+/// How a shadow map is drawn and asked: see `ShadowMap`.
+struct ShadowMapRule {
+    int size = 1024;    // cells along each side of a view; more than `filter`
+    double bias = 1.0;  // in cells: how far beyond the map's depth a surface may still be lit
+    int filter = 1;     // cells along each side of the square that answers; odd
 };
 
 struct Settings {
@@ -74,6 +88,7 @@ struct Settings {
     Sides sides = Sides::two;
     Distances distances = Distances::finite;
     Shadows shadows = Shadows::none;
+    ShadowMapRule shadow_map{};
 };
 
 /// Calls `use` with the function object of the settings' illumination model.

@@ -2,23 +2,54 @@
 
 #include <algorithm>
 
+#include "render/shadow_map.h"
+
 namespace scanlight::render {
 
-void ShadowBand::find(std::span<const ObjectPass> passes, raster::VisibleBand& band, int number,
-                      std::span<Stencil> stencils) {
+namespace {
+
+/// The bits of the maps' lights that do not reach a point.
+std::int32_t hidden_lights(std::span<const ShadowMap> maps, const glm::vec3& point) {
+    std::uint32_t bits = 0;
+    for (std::size_t light = 0; light < maps.size(); ++light)
+        bits |= maps[light].share(point) == 0.0f ? 1u << light : 0u;
+    return static_cast<std::int32_t>(bits);
+}
+
+}  // namespace
+
+void ShadowBand::clear(const raster::VisibleBand& band) {
     const raster::Rows rows = band.rows();
     y_begin_ = rows.y_begin;
     stride_ = band.stride();
-    const auto pixels = static_cast<std::size_t>(stride_ * (rows.y_end - rows.y_begin));
-    shadowed_.assign(pixels, 0);
-    counts_.resize(pixels);
+    shadowed_.assign(static_cast<std::size_t>(stride_ * (rows.y_end - rows.y_begin)), 0);
+}
+
+void ShadowBand::find(std::span<const ObjectPass> passes, raster::VisibleBand& band, int number,
+                      std::span<Stencil> stencils) {
+    clear(band);
+    counts_.resize(shadowed_.size());
     find_farthest(band);
+    const raster::Rows rows = band.rows();
     const raster::CountedBand counted{rows, stride_, band.depth_row(rows.y_begin), counts_.data(),
                                       farthest_.data()};
     const std::size_t lights = passes.empty() ? 0 : passes.front().sides.size();
     for (std::size_t light = 0; light < lights; ++light) {
         find(light, passes, counted, number);
         if (!stencils.empty()) copy_counts(rows, stencils[light]);
+    }
+}
+
+void ShadowBand::find(std::span<const ShadowMap> maps, const Frame& frame,
+                      raster::VisibleBand& band) {
+    clear(band);
+    for (int y = band.rows().y_begin; y < band.rows().y_end; ++y) {
+        const raster::Depth* depth = band.depth_row(y);
+        std::int32_t* shadowed = shadowed_.data() + stride_ * (y - y_begin_);
+        for (int x = 0; x < band.width(); ++x) {
+            if (depth[x] < raster::depth_clear)
+                shadowed[x] = hidden_lights(maps, frame.point_at(x, y, depth[x]));
+        }
     }
 }
 

@@ -15,6 +15,8 @@ namespace scanlight::render {
 /// How many shadow volumes of a light each pixel's surface lies in.
 using Stencil = raster::Plane<std::int32_t>;
 
+class ShadowMap;
+
 /// Which lights do not reach the surfaces that a band shows: for each pixel a bit a light. Keeps
 /// its memory from one band to the next.
 class ShadowBand {
@@ -28,12 +30,16 @@ public:
     void find(std::span<const ObjectPass> passes, raster::VisibleBand& band, int number,
               std::span<Stencil> stencils);
 
+    /// Asks the maps of all lights for what the pixels of a band show.
+    void find(std::span<const ShadowMap> maps, const Frame& frame, raster::VisibleBand& band);
+
     /// A whole vector may be read at its end.
     const std::int32_t* row(int y) const { return shadowed_.data() + stride_ * (y - y_begin_); }
 
     std::size_t bytes() const { return raster::bytes_held(counts_, shadowed_, farthest_); }
 
 private:
+    void clear(const raster::VisibleBand& band);
     void find_farthest(raster::VisibleBand& band);
     void find(std::size_t light, std::span<const ObjectPass> passes,
               const raster::CountedBand& band, int number);

@@ -42,11 +42,6 @@ struct NearSides {
 
 }  // namespace
 
-glm::dvec4 homogeneous(const shading::Light<float>& light) {
-    const bool has_place = light.kind == shading::Light<float>::Kind::point;
-    return {glm::dvec3(light.place), has_place ? 1.0 : 0.0};
-}
-
 raster::Deep deep_for(const Frame& frame, bool beyond_far) {
     return tells_infinity(frame) && !beyond_far ? raster::Deep::reaches : raster::Deep::splits;
 }

@@ -12,10 +12,6 @@
 
 namespace scanlight::render {
 
-/// A light for geometry, world space, homogeneous: its place (w = 1), or the direction towards it
-/// (w = 0).
-glm::dvec4 homogeneous(const shading::Light<float>& light);
-
 /// How a surface goes on beyond the far plane so that depth can tell its ends; `beyond_far` says
 /// whether any vertex lies there.
 raster::Deep deep_for(const Frame& frame, bool beyond_far);

@@ -1,10 +1,9 @@
 #include "render/shadows.h"
 
 #include <algorithm>
-#include <deque>
 #include <optional>
-#include <utility>
 
+#include "render/light_view.h"
 #include "render/shadow_volume.h"
 
 namespace scanlight::render {
@@ -91,27 +90,6 @@ private:
     glm::dvec4 light_;
 };
 
-/// All objects bring their silhouettes, so that they are not made anew for each light; `own` holds
-/// what is missing.
-Scene with_silhouettes(Scene scene, std::deque<mesh::SilhouetteFinder>& own) {
-    for (Object& object : scene.objects) {
-        if (object.silhouettes == nullptr) object.silhouettes = &own.emplace_back(*object.mesh);
-    }
-    return scene;
-}
-
-void add_light(const Drawing& lit, const Counts& counts, Drawing& sum) {
-    const raster::Viewport size = sum.framebuffer.size();
-    for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) {
-            const bool is_drawn = lit.framebuffer.depth.at(x, y) < raster::depth_clear;
-            if (!is_drawn || counts.at(x, y) != 0) continue;
-            sum.framebuffer.color.at(x, y) +=
-                raster::Rgba(glm::vec3(lit.framebuffer.color.at(x, y)), 0.0f);
-        }
-    }
-}
-
 /// Counts the faces of shadow volumes before or behind what is seen, pixel by pixel: those through
 /// which a ray from the eye enters, less those through which it leaves. z-fail (Bilodeau & Songy
 /// 1999; Carmack 2000) counts from infinity back to the surface, and needs no section.
@@ -144,17 +122,6 @@ std::vector<ShadowCrossing> with_joint_cuts(const std::vector<ShadowCrossing>& c
 }
 
 }  // namespace
-
-Scene lit_by(Scene scene, shading::Lighting<float> lighting) {
-    scene.lighting = std::move(lighting);
-    return scene;
-}
-
-Scene lit_by_one(const Scene& scene, std::size_t light) {
-    Scene alone = lit_by(scene, {glm::vec3(0.0f), {scene.lighting.lights[light]}});
-    alone.mirrored = alone.diffuse = alone.surroundings = nullptr;
-    return alone;
-}
 
 Counts count_shadows(const Scene& scene, const Settings& settings, std::size_t light,
                      const raster::Plane<raster::Depth>& depth) {
@@ -191,19 +158,6 @@ std::vector<ShadowCrossing> shadow_crossings(const Scene& scene, const Settings&
     ScreenVolumes(scene, settings, light, viewport).for_each_part(cross);
     std::ranges::stable_sort(crossings, {}, &ShadowCrossing::depth);
     return with_joint_cuts(crossings);
-}
-
-Drawing draw_with_shadows(const Scene& bare, const Settings& settings, raster::Viewport viewport) {
-    std::deque<mesh::SilhouetteFinder> own;
-    const Scene scene = with_silhouettes(bare, own);
-    Settings unshadowed = settings;
-    unshadowed.shadows = Shadows::none;
-    Drawing sum = draw_opaque(lit_by(scene, {scene.lighting.ambient, {}}), unshadowed, viewport);
-    for (std::size_t i = 0; i < scene.lighting.lights.size(); ++i) {
-        const Counts counts = count_shadows(scene, settings, i, sum.framebuffer.depth);
-        add_light(draw_opaque(lit_by_one(scene, i), unshadowed, viewport), counts, sum);
-    }
-    return sum;
 }
 
 }  // namespace scanlight::render

@@ -37,14 +37,4 @@ std::vector<ShadowCrossing> shadow_crossings(const Scene& scene, const Settings&
                                              std::size_t light, raster::Viewport viewport, int x,
                                              int y);
 
-/// The same scene in other light.
-Scene lit_by(Scene scene, shading::Lighting<float> lighting);
-/// In one of its lights, and no other light at all: neither ambient nor from its surroundings.
-Scene lit_by_one(const Scene& scene, std::size_t light);
-
-/// Draws a scene with shadows, in many passes as in the literature: the ambient light first, then
-/// for each light the shadow volumes into the stencil, and the light where nothing was counted.
-/// A pixel in the shadow of all lights has the colour of the ambient picture, to the bit.
-Drawing draw_with_shadows(const Scene& scene, const Settings& settings, raster::Viewport viewport);
-
 }  // namespace scanlight::render

@@ -47,6 +47,26 @@ private:
     std::uint32_t first_id_;
 };
 
+/// The item buffer (Weghorst, Hooper & Greenberg 1984, "Improved computational methods for ray
+/// tracing", TOG 3(1)): which face a pixel shows, its place in the mesh plus `first_item`. 0 is the
+/// background.
+class ItemTechnique {
+public:
+    static constexpr int attribute_count = 0;
+    using Pixel = std::uint32_t;
+
+    explicit ItemTechnique(std::uint32_t first_item) : first_item_(first_item) {}
+
+    std::array<float, 0> corner(std::size_t, std::uint32_t, Side) const { return {}; }
+    std::uint32_t polygon(std::size_t face, Side) const {
+        return first_item_ + static_cast<std::uint32_t>(face);
+    }
+    std::uint32_t shade(const raster::Fragment<0>&, std::uint32_t item) const { return item; }
+
+private:
+    std::uint32_t first_item_;
+};
+
 /// The unit normal that Phong shading lights at a pixel; world space. Zero is the background.
 class NormalTechnique {
 public:

@@ -66,7 +66,20 @@ bool is_hidden(const raster::LinePixel& pixel, const raster::Plane<raster::Depth
     return behind > depth_slack && behind > depth_slack + steepness(depth, pixel.x, pixel.y);
 }
 
+void draw_line(const raster::ScreenVertex<0>& a, const raster::ScreenVertex<0>& b,
+               raster::Rgba color, HiddenLines hidden, raster::Framebuffer& target) {
+    raster::draw_line(a, b, target.size(), [&](const raster::LinePixel& pixel) {
+        if (hidden == HiddenLines::removed && is_hidden(pixel, target.depth)) return;
+        target.color.at(pixel.x, pixel.y) = color;
+    });
+}
+
 }  // namespace
+
+void draw_visible_line(const raster::ScreenVertex<0>& a, const raster::ScreenVertex<0>& b,
+                       raster::Rgba color, raster::Framebuffer& target) {
+    draw_line(a, b, color, HiddenLines::removed, target);
+}
 
 void draw_wireframe(const Scene& scene, raster::Rgba color, HiddenLines hidden,
                     raster::Framebuffer& target, const Settings& settings) {
@@ -76,13 +89,9 @@ void draw_wireframe(const Scene& scene, raster::Rgba color, HiddenLines hidden,
         for (const auto& [a, b] : edges_of(mesh, frame, settings)) {
             const auto line = raster::clip_line({mesh.clip[a], {}}, {mesh.clip[b], {}});
             if (!line) continue;
-            raster::draw_line(
-                raster::snapped<0>(line->first.position, frame.viewport),
-                raster::snapped<0>(line->second.position, frame.viewport), frame.viewport,
-                [&](const raster::LinePixel& pixel) {
-                    if (hidden == HiddenLines::removed && is_hidden(pixel, target.depth)) return;
-                    target.color.at(pixel.x, pixel.y) = color;
-                });
+            draw_line(raster::snapped<0>(line->first.position, frame.viewport),
+                      raster::snapped<0>(line->second.position, frame.viewport), color, hidden,
+                      target);
         }
     }
 }

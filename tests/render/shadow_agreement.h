@@ -3,15 +3,58 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "render/face_shadow.h"
-#include "render/shadow_volume.h"
+#include "render/light_view.h"
 #include "render/shadows.h"
 #include "tests/render/scenes.h"
 
 namespace scanlight::render {
 
 using Counts = raster::Plane<std::int32_t>;
+
+/// Closed casters over a floor, some touching or cutting it, and up to `most_lights` lights.
+struct RandomScene {
+    std::vector<mesh::Mesh> meshes;
+    Scene scene;
+};
+
+inline RandomScene random_scene(std::uint32_t seed, int most_lights) {
+    Random random(seed);
+    const char* shapes[] = {"cube", "tetrahedron", "sphere:7,5", "torus:8,5", "octahedron"};
+    RandomScene result;
+    const int casters = 1 + random.below(4);
+    for (int i = 0; i < casters; ++i)
+        result.meshes.push_back(shape_mesh(shapes[random.below(5)]));
+    result.meshes.push_back(shape_mesh("plane:2"));
+    for (const mesh::Mesh& mesh : result.meshes) {
+        Object object{&mesh, shading_materials(mesh.materials)};
+        const bool is_floor = &mesh == &result.meshes.back();
+        const double scale = is_floor ? 5.0 : random.between(0.2, 0.9);
+        const glm::dvec3 place = is_floor ? glm::dvec3(0.0, -1.0, 0.0) : random.in_cube(1.5);
+        for (int k = 0; k < 3; ++k)
+            object.world_from_object[k][k] = scale;
+        object.world_from_object[3] = glm::dvec4(place, 1.0);
+        result.scene.objects.push_back(object);
+    }
+    const int lights = 1 + random.below(most_lights);
+    for (int i = 0; i < lights; ++i) {
+        const bool is_point = random.below(2) == 0;
+        const glm::vec3 place(random.in_cube(is_point ? 3.0 : 1.0) + glm::dvec3(0.0, 1.5, 0.0));
+        result.scene.lighting.lights.push_back(
+            is_point ? shading::point_light<float>(place, glm::vec3(0.5f))
+                     : shading::directional_light<float>(place, glm::vec3(0.5f)));
+    }
+    Camera& camera = result.scene.camera;
+    camera.target = random.in_cube(0.5);
+    camera.eye = camera.target + random.between(1.0, 8.0) * random.direction();
+    camera.near = 0.05;
+    camera.far = random.below(2) == 0 ? 50.0 : 6.0;  // some things lie beyond
+    camera.projection = random.below(4) == 0 ? Projection::orthographic : Projection::perspective;
+    if (camera.projection == Projection::orthographic) camera.magnification = 0.3;
+    return result;
+}
 
 inline Counts counts_of(const Scene& scene, Shadows method, std::size_t light,
                         const raster::Plane<raster::Depth>& depth) {
@@ -51,7 +94,8 @@ inline raster::Plane<std::uint8_t> object_space_shadows(const Scene& scene, std:
 }
 
 /// Whether a pixel, not at the border, and all its neighbours have one value.
-inline bool is_even(const raster::Plane<std::uint8_t>& plane, int x, int y) {
+template <class T>
+bool is_even(const raster::Plane<T>& plane, int x, int y) {
     if (x == 0 || y == 0 || x == plane.width() - 1 || y == plane.height() - 1) return false;
     for (int j = y - 1; j <= y + 1; ++j) {
         for (int i = x - 1; i <= x + 1; ++i) {

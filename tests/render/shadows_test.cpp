@@ -68,48 +68,6 @@ INSTANTIATE_TEST_SUITE_P(Chapter, ShadowCountOracle,
 
 // ---- agreement of the methods on random scenes
 
-/// Closed casters over a floor, some touching or cutting it, and up to `most_lights` lights.
-struct RandomScene {
-    std::vector<mesh::Mesh> meshes;
-    Scene scene;
-};
-
-RandomScene random_scene(std::uint32_t seed, int most_lights) {
-    Random random(seed);
-    const char* shapes[] = {"cube", "tetrahedron", "sphere:7,5", "torus:8,5", "octahedron"};
-    RandomScene result;
-    const int casters = 1 + random.below(4);
-    for (int i = 0; i < casters; ++i)
-        result.meshes.push_back(shape_mesh(shapes[random.below(5)]));
-    result.meshes.push_back(shape_mesh("plane:2"));
-    for (const mesh::Mesh& mesh : result.meshes) {
-        Object object{&mesh, shading_materials(mesh.materials)};
-        const bool is_floor = &mesh == &result.meshes.back();
-        const double scale = is_floor ? 5.0 : random.between(0.2, 0.9);
-        const glm::dvec3 place = is_floor ? glm::dvec3(0.0, -1.0, 0.0) : random.in_cube(1.5);
-        for (int k = 0; k < 3; ++k)
-            object.world_from_object[k][k] = scale;
-        object.world_from_object[3] = glm::dvec4(place, 1.0);
-        result.scene.objects.push_back(object);
-    }
-    const int lights = 1 + random.below(most_lights);
-    for (int i = 0; i < lights; ++i) {
-        const bool is_point = random.below(2) == 0;
-        const glm::vec3 place(random.in_cube(is_point ? 3.0 : 1.0) + glm::dvec3(0.0, 1.5, 0.0));
-        result.scene.lighting.lights.push_back(
-            is_point ? shading::point_light<float>(place, glm::vec3(0.5f))
-                     : shading::directional_light<float>(place, glm::vec3(0.5f)));
-    }
-    Camera& camera = result.scene.camera;
-    camera.target = random.in_cube(0.5);
-    camera.eye = camera.target + random.between(1.0, 8.0) * random.direction();
-    camera.near = 0.05;
-    camera.far = random.below(2) == 0 ? 50.0 : 6.0;  // some things lie beyond
-    camera.projection = random.below(4) == 0 ? Projection::orthographic : Projection::perspective;
-    if (camera.projection == Projection::orthographic) camera.magnification = 0.3;
-    return result;
-}
-
 TEST(Shadows, CountTheSameFromTheEyeAndFromInfinity) {
     for (std::uint32_t seed = 0; seed < 200; ++seed) {
         const RandomScene random = random_scene(seed, 8);

@@ -69,13 +69,26 @@ NamedScenes shadow_scenes() {
         scenes.push_back({"shadows/" + view.name + "/" + how,
                           [view, settings] { return shadow_scene(view, settings); }});
     };
-    for (const ShadowView& view : views()) {
+    const auto all_views = views();
+    for (const ShadowView& view : all_views) {
         add(view, "phong-zfail", {.shadows = Shadows::zfail});
         add(view, "flat-zpass", {.shading = Shading::flat, .shadows = Shadows::zpass});
         add(view, "gouraud-zfail", {.shading = Shading::gouraud, .shadows = Shadows::zfail});
         add(view, "phong-zpass-from-zero", {.shadows = Shadows::zpass_from_zero});
+        add(view, "phong-map", {.shadows = Shadows::map, .shadow_map = {.size = 256}});
     }
-    add(views().front(), "phong-zfail-cull", {.cull = Cull::back, .shadows = Shadows::zfail});
+    const ShadowView& first = all_views.front();
+    add(first, "flat-map",
+        {.shading = Shading::flat, .shadows = Shadows::map, .shadow_map = {.size = 300}});
+    add(first, "gouraud-map",
+        {.shading = Shading::gouraud, .shadows = Shadows::map, .shadow_map = {.size = 256}});
+    add(first, "phong-map-filtered",
+        {.shadows = Shadows::map, .shadow_map = {.size = 256, .filter = 3}});
+    add(first, "phong-map-cull",
+        {.cull = Cull::back, .shadows = Shadows::map, .shadow_map = {.size = 256}});
+    add(first, "phong-polygons", {.shadows = Shadows::polygons});
+    add(first, "gouraud-polygons", {.shading = Shading::gouraud, .shadows = Shadows::polygons});
+    add(first, "phong-zfail-cull", {.cull = Cull::back, .shadows = Shadows::zfail});
     return scenes;
 }
 
