@@ -67,6 +67,31 @@ const std::vector<Figure>& figures() {
           "--light point:-1,3,2.5",
           "cube --floor --eye 1.4,-0.2,-3 --target 4,-1,1 --fov 70 --shadows zfail "
           "--light point:-1,3,2.5"}},
+        {"shadow-map",
+         "By shadow volumes, exact at every pixel; by a z-buffer of the light's view, whose cells "
+         "show at the shadow's edge; filtered, where each pixel has its share of 5 x 5 cells.",
+         {"teapot:6 --floor --shadows zfail --view 25,35 --zoom 0.75 --light point:-3,5,3",
+          "teapot:6 --floor --shadows map --shadow-map-size 384 --view 25,35 --zoom 0.75 "
+          "--light point:-3,5,3",
+          "teapot:6 --floor --shadows map --shadow-map-size 384 --shadow-pcf 5 --view 25,35 "
+          "--zoom 0.75 --light point:-3,5,3"}},
+        {"shadow-bias",
+         "The bias of a shadow map, in its cells: with 0.1 surfaces shadow themselves; 1; with 12 "
+         "shadows come loose from what casts them.",
+         {"teapot:6 --floor --shadows map --shadow-bias 0.1 --shadow-map-size 384 --view 25,35 "
+          "--zoom 0.75 --light point:-3,5,3",
+          "teapot:6 --floor --shadows map --shadow-bias 1 --shadow-map-size 384 --view 25,35 "
+          "--zoom 0.75 --light point:-3,5,3",
+          "teapot:6 --floor --shadows map --shadow-bias 12 --shadow-map-size 384 --view 25,35 "
+          "--zoom 0.75 --light point:-3,5,3"}},
+        {"shadow-polygons",
+         "The lit parts of polygons, cut out in the light's view by those over them, as polygons: a "
+         "picture, its lit details, and those of two lights.",
+         {"torus:16,8 --floor --shadows polygons --view 25,35 --zoom 0.7 --light point:3.5,1.6,-1",
+          "torus:16,8 --floor --shadows polygons --show details --view 25,35 --zoom 0.7 "
+          "--light point:3.5,1.6,-1",
+          "cube --floor --shadows polygons --show details --view 25,35 --zoom 0.7 "
+          "--light point:-2,3,1 --light point:2,3.5,-0.5"}},
         {"sphere-coarse",
          "A coarse sphere: its outline stays a polygon whatever the shading.",
          {"sphere:12,6 --shading flat",

@@ -3,6 +3,7 @@
 #include "apps/scanlight/heat_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <span>
@@ -10,6 +11,9 @@
 
 #include "raster/image_of.h"
 #include "render/draw.h"
+#include "render/draw_details.h"
+#include "render/frame.h"
+#include "render/light_view.h"
 #include "render/shadows.h"
 #include "render/wireframe.h"
 
@@ -18,6 +22,10 @@ namespace scanlight::apps {
 namespace {
 
 constexpr raster::Rgba line_color{0.01f, 0.012f, 0.018f, 1.0f};
+constexpr std::array<raster::Rgba, 4> detail_colors{{{0.9f, 0.5f, 0.02f, 1.0f},
+                                                     {0.02f, 0.25f, 0.9f, 1.0f},
+                                                     {0.1f, 0.6f, 0.1f, 1.0f},
+                                                     {0.7f, 0.05f, 0.4f, 1.0f}}};
 
 Picture by_textbook(render::Drawing drawing) {
     Picture picture;
@@ -52,17 +60,39 @@ Picture shaded(const render::Scene& scene, const SceneOptions& options, const Me
     return by_textbook(render::draw(scene, options.settings, options.size));
 }
 
-/// The edges of polygons over a picture of floats and depths.
-Picture with_edges(Picture picture, const render::Scene& scene, const SceneOptions& options,
-                   render::HiddenLines hidden) {
+/// A picture of floats and depths with what `draw(framebuffer)` draws over it.
+template <class Draw>
+Picture with_lines(Picture picture, Draw&& draw) {
     auto& color = std::get<Picture::Floats>(picture.color);
-    raster::Framebuffer target({1, 1}, scene.background);
+    raster::Framebuffer target({1, 1}, raster::Rgba(0.0f));
     std::swap(target.color, color);
     std::swap(target.depth, *picture.depth);
-    render::draw_wireframe(scene, line_color, hidden, target, options.settings);
+    draw(target);
     std::swap(target.color, color);
     std::swap(target.depth, *picture.depth);
     return picture;
+}
+
+/// The edges of polygons.
+Picture with_edges(Picture picture, const render::Scene& scene, const SceneOptions& options,
+                   render::HiddenLines hidden) {
+    return with_lines(std::move(picture), [&](raster::Framebuffer& target) {
+        render::draw_wireframe(scene, line_color, hidden, target, options.settings);
+    });
+}
+
+/// The outlines of the lit details of each light, in colours of their own.
+Picture with_details(Picture picture, const render::Scene& scene, const SceneOptions& options) {
+    const auto lights =
+        render::frame_of(scene, options.settings.distances, options.size).lighting.lights;
+    return with_lines(std::move(picture), [&](raster::Framebuffer& target) {
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            const auto details =
+                render::detail_polygons(scene.objects, render::homogeneous(lights[i]));
+            render::draw_detail_outlines(scene, details, detail_colors[i % detail_colors.size()],
+                                         target);
+        }
+    });
 }
 
 template <std::size_t count>
@@ -106,25 +136,38 @@ Picture stencil_picture(const render::Scene& scene, const SceneOptions& options)
     return picture;
 }
 
+/// What the options ask for, but for the edges of polygons.
+Picture shown(const render::Scene& scene, const SceneOptions& options, const Means& means,
+              Wanted wanted) {
+    switch (options.show) {
+        case Show::light:
+            return shaded(scene, options, means, wanted);
+        case Show::stencil:
+            return stencil_picture(scene, options);
+        case Show::details:
+            return with_details(shaded(scene, options, means, {Samples::floats, true}), scene,
+                                options);
+    }
+    return {};
+}
+
 }  // namespace
 
 Picture draw_picture(const render::Scene& scene, const SceneOptions& options, const Means& means,
                      Wanted wanted) {
-    using enum render::HiddenLines;
     const auto only_depth = [&] {
         return by_textbook(render::draw_depth(scene, options.settings, options.size));
     };
     switch (wireframe_of(options)) {
         case Wireframe::none:
-            return options.show == Show::stencil ? stencil_picture(scene, options)
-                                                 : shaded(scene, options, means, wanted);
+            return shown(scene, options, means, wanted);
         case Wireframe::all:
-            return with_edges(only_depth(), scene, options, shown);
+            return with_edges(only_depth(), scene, options, render::HiddenLines::shown);
         case Wireframe::hidden:
-            return with_edges(only_depth(), scene, options, removed);
+            return with_edges(only_depth(), scene, options, render::HiddenLines::removed);
         case Wireframe::over:
             return with_edges(shaded(scene, options, means, {Samples::floats, true}), scene,
-                              options, removed);
+                              options, render::HiddenLines::removed);
     }
     return {};
 }
@@ -173,7 +216,7 @@ raster::ImageF ids_float_image(const raster::Plane<std::uint32_t>& ids) {
 
 raster::Plane<std::int32_t> draw_stencil(const render::Scene& scene, const SceneOptions& options) {
     render::Settings settings = options.settings;
-    if (settings.shadows == render::Shadows::none) settings.shadows = render::Shadows::zfail;
+    settings.shadows = volumes_for("the stencil", options);
     const render::Drawing drawing = render::draw_depth(scene, settings, options.size);
     raster::Plane<std::int32_t> sum(options.size, 0);
     for (std::size_t i = 0; i < scene.lighting.lights.size(); ++i) {

@@ -200,9 +200,11 @@ void check_outputs(RenderOptions& options) {
     if (options.output.empty()) options.output = default_output(options.scene.input);
     check_format(options);
     wireframe_of(options.scene);
+    check_shadows(options.scene);
     std::set<std::string> paths{options.output};
     for (const auto& aov : options.aovs) {
         format_of(aov);
+        if (aov.kind == Aov::stencil) volumes_for("--aov stencil", options.scene);
         if (!paths.insert(aov.path).second)
             throw UsageError(aov.path + ": two pictures of one name");
     }
@@ -262,6 +264,10 @@ void add_render_command(CLI::App& program) {
         "  scanlight render bunny.obj -o bunny.png --view 200,15 --material \"kd=#c8b090 ks=0.2 "
         "n=20\"\n"
         "  scanlight render sphere:16,8 -o s.png --light 1,1,1,#ff8040 --light -1,0.5,1,#4080ff\n"
+        "  scanlight render teapot -o t.png --floor --shadows map --shadow-map-size 2048 "
+        "--shadow-pcf "
+        "5\n"
+        "  scanlight render teapot -o t.png --floor --shadows polygons --show details\n"
         "  scanlight render part.stl -o - --background none --format png > part.png\n"
         "  scanlight render cow.obj -o cow.png --aov depth:z.png --aov normal:n.pfm --stats json");
     command->callback([options] { render(*options); });

@@ -47,10 +47,45 @@ void add_picture_options(CLI::App& app, SceneOptions& o) {
     add_choice(app, "--sides", o.settings.sides, "light the front only, or the side that is seen");
     add_choice(app, "--distances", o.settings.distances,
                "eye and lights at their places, or at infinity as in the textbook");
+}
+
+/// An option of shadow maps: that it was given is kept.
+CLI::Option* of_maps(CLI::Option* option, SceneOptions& o) {
+    return option->type_name("N")->capture_default_str()->each(
+        [&o, option](const std::string&) { o.shadow_map_option = option->get_name(); });
+}
+
+/// An odd number of cells, or what is wrong with it.
+std::string check_filter(const std::string& text) {
+    const double cells = parse_number(text, "shadow-pcf");
+    for (const int odd : {1, 3, 5, 7, 9, 11, 13, 15}) {
+        if (cells == odd) return "";
+    }
+    return "'" + text + "': expected an odd number from 1 to 15";
+}
+
+void add_shadow_options(CLI::App& app, SceneOptions& o) {
+    const HelpHeading heading(app, "Shadows");
+    auto& map = o.settings.shadow_map;
     add_choice(
         app, "--shadows", o.settings.shadows,
-        "shadow volumes, counted to the surface (zpass) or behind it (zfail); from zero shows\n"
-        "the classic mistake of an eye in a shadow");
+        "shadow volumes, counted to the surface (zpass) or behind it (zfail), from zero to show\n"
+        "the classic mistake of an eye in a shadow; a z-buffer of the light's view (map); or the\n"
+        "lit parts of polygons, clipped as polygons (polygons)");
+    of_maps(app.add_option("--shadow-map-size", map.size,
+                           "cells along each side of a shadow map; a point light has six maps")
+                ->check(CLI::Range(32, 8192).description("from 32 to 8192")),
+            o);
+    of_maps(app.add_option(
+                   "--shadow-bias", map.bias,
+                   "how far, in cells of the map, a surface may lie behind its depth there and\n"
+                   "still be lit; too little lets it shadow itself, too much moves shadows away")
+                ->check(within(0.0, 1000.0)),
+            o);
+    of_maps(app.add_option("--shadow-pcf", map.filter,
+                           "percentage-closer filter of N x N cells, odd; 1 is none")
+                ->check(CLI::Validator(check_filter, "odd, from 1 to 15")),
+            o);
 }
 
 void add_mesh_options(CLI::App& app, SceneOptions& o) {
@@ -157,12 +192,30 @@ Wireframe wireframe_of(const SceneOptions& options) {
     throw UsageError("wireframe '" + word + "': expected all, hidden or over");
 }
 
+void check_shadows(const SceneOptions& options) {
+    const render::Shadows method = options.settings.shadows;
+    if (!options.shadow_map_option.empty() && method != render::Shadows::map)
+        throw UsageError(options.shadow_map_option + " is for --shadows map");
+    if (options.show == Show::stencil) volumes_for("--show stencil", options);
+    if (options.show == Show::details && method != render::Shadows::polygons)
+        throw UsageError("--show details is for --shadows polygons");
+}
+
+render::Shadows volumes_for(const std::string& what, const SceneOptions& options) {
+    const render::Shadows method = options.settings.shadows;
+    if (method == render::Shadows::none) return render::Shadows::zfail;
+    if (render::counts_volumes(method)) return method;
+    throw UsageError(what + " counts shadow volumes, of which --shadows " + word_of(method) +
+                     " has none; zpass and zfail have");
+}
+
 SceneOptions parse_scene(const std::string& command_line) {
     SceneOptions options;
     CLI::App app;
     add_scene_options(app, options);
     add_canvas_options(app, options);
     app.parse(command_line);
+    check_shadows(options);
     return options;
 }
 
@@ -171,6 +224,7 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
         ->required()
         ->type_name("IN");
     add_picture_options(app, options);
+    add_shadow_options(app, options);
     add_mesh_options(app, options);
     add_camera_options(app, options);
     add_light_options(app, options);
@@ -187,8 +241,10 @@ void add_canvas_options(CLI::App& app, SceneOptions& o) {
                      o.background = parse_color(text);
                  }
              });
-    add_choice(app, "--show", o.show,
-               "the light, or in how many shadow volumes each surface lies, as a heat map");
+    add_choice(
+        app, "--show", o.show,
+        "the light; in how many shadow volumes each surface lies, as a heat map; or over the\n"
+        "light the outlines of lit parts (--shadows polygons), a colour a light");
     app.add_flag("--floor", o.floor, "a white floor beneath the mesh, four times as wide");
     app.add_flag(
         "--wireframe{all}", o.wireframe_word,

@@ -23,7 +23,7 @@ enum class Polygons { bilinear, triangulated };
 enum class Wireframe { none, all, hidden, over };
 
 /// What the colours of a picture mean.
-enum class Show { light, stencil };
+enum class Show { light, stencil, details };
 
 /// All that says what a picture shows, apart from the file it goes to. One table of options serves
 /// `render`, `steps` and the figures.
@@ -31,7 +31,8 @@ struct SceneOptions {
     std::string input;
     raster::Viewport size{640, 480};
     render::Settings settings;
-    std::string wireframe_word;  // "", all, hidden or over
+    std::string shadow_map_option;  // one that was given, such as "--shadow-bias"
+    std::string wireframe_word;     // "", all, hidden or over
     Show show = Show::light;
     Polygons polygons = Polygons::bilinear;
     mesh::NormalRule normals;
@@ -57,6 +58,14 @@ struct SceneOptions {
 /// `all`: the edges alone; `hidden`: alone, without those behind polygons; `over`: over the
 /// shading. Throws UsageError for another word.
 Wireframe wireframe_of(const SceneOptions& options);
+
+/// Throws UsageError for options that ask for something of one way to find shadows and name
+/// another.
+void check_shadows(const SceneOptions& options);
+
+/// The method by which shadow volumes are counted: z-fail where the options name none. Throws
+/// UsageError where they name one without volumes; `what` asks for them, such as "--show stencil".
+render::Shadows volumes_for(const std::string& what, const SceneOptions& options);
 
 /// The options that a command line gives, such as "teapot --shading flat": one picture's source.
 SceneOptions parse_scene(const std::string& command_line);

@@ -169,7 +169,7 @@ render::Scene scene_of(const Model& model, const SceneOptions& options) {
         scene.objects.push_back({&*model.floor, {white()}});
         scene.camera = render::with_fitted_planes(scene.camera, scene.objects);
     }
-    if (options.settings.shadows != render::Shadows::none)
+    if (render::counts_volumes(options.settings.shadows))
         scene.camera = render::with_room_for_shadows(scene.camera);
     scene.lighting = lighting_of(scene.camera, options);
     if (!options.environment.empty()) add_environment(options, scene);

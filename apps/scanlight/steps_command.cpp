@@ -118,6 +118,8 @@ std::string pixel_report(const render::Scene& scene, const StepsOptions& options
 }
 
 void steps(const StepsOptions& options) {
+    check_shadows(options.scene);
+    if (!options.pixel.empty()) volumes_for("--pixel", options.scene);
     const Model model = load_model(options.scene);
     for (const auto& warning : warnings_of(model))
         std::fprintf(stderr, "scanlight: %s\n", warning.c_str());

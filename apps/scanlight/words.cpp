@@ -39,8 +39,8 @@ Words<render::Distances> words_beside(render::Distances) {
 
 Words<render::Shadows> words_beside(render::Shadows) {
     using enum render::Shadows;
-    return {
-        {"none", none}, {"zpass", zpass}, {"zpass-from-zero", zpass_from_zero}, {"zfail", zfail}};
+    return {{"none", none},   {"zpass", zpass}, {"zpass-from-zero", zpass_from_zero},
+            {"zfail", zfail}, {"map", map},     {"polygons", polygons}};
 }
 
 Words<shading::EnvironmentLayout> words_beside(shading::EnvironmentLayout) {
@@ -49,7 +49,7 @@ Words<shading::EnvironmentLayout> words_beside(shading::EnvironmentLayout) {
 }
 Words<Show> words_beside(Show) {
     using enum Show;
-    return {{"light", light}, {"stencil", stencil}};
+    return {{"light", light}, {"stencil", stencil}, {"details", details}};
 }
 
 Words<mesh::NormalWeight> words_beside(mesh::NormalWeight) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/renderer.h"
@@ -108,6 +109,10 @@ const std::vector<BadValues> bad_values{
     {"--gouraud71-k", {"0", "nan"}},
     {"--ambient", {"-1", "1e300", "#12345", "nan"}},
     {"--background", {"clear", "#xyz"}},
+    {"--shadows", {"volumes", "", "Map"}},
+    {"--shadows map --shadow-map-size", {"0", "31", "8193", "1.5", "nan", ""}},
+    {"--shadows map --shadow-bias", {"-1", "1001", "nan", "inf", "x"}},
+    {"--shadows map --shadow-pcf", {"0", "2", "17", "-1", "nan", "1.5"}},
     {"--path", {"slow", "", "Fast"}},
     {"--threads", {"-1", "257", "1.5", "x", "nan", ""}},
     {"--instructions", {"MMX", "", "fastest"}},
@@ -169,6 +174,28 @@ TEST(Mistakes, OfMeansThatTheTextbooksWalkHasNot) {
     for (const auto name : render::instruction_sets())
         expect_refused(shell, line + "--instructions " + std::string(name));
     EXPECT_EQ(shell.run(line + "--threads 1").status, 0);
+}
+
+TEST(Mistakes, OfShadowOptionsNameTheMethodThatHasThem) {
+    const Shell shell;
+    const std::vector<std::pair<std::string, std::string>> lines{
+        {"render cube --shadow-bias 2", "--shadow-bias is for --shadows map"},
+        {"render cube --shadows zfail --shadow-map-size 64",
+         "--shadow-map-size is for --shadows map"},
+        {"render cube --shadows polygons --shadow-pcf 3", "--shadow-pcf is for --shadows map"},
+        {"steps cube --shadow-pcf 3", "--shadow-pcf is for --shadows map"},
+        {"render cube --show details", "--show details is for --shadows polygons"},
+        {"render cube --shadows zfail --show details", "--show details is for --shadows polygons"},
+        {"render cube --shadows map --show stencil", "--show stencil counts shadow volumes"},
+        {"render cube --shadows polygons --aov stencil:s.png",
+         "--aov stencil counts shadow volumes"},
+        {"steps cube --shadows map --pixel 1,1", "--pixel counts shadow volumes"}};
+    for (const auto& [line, complaint] : lines) {
+        expect_refused(shell, "scanlight " + line + " -o out.png");
+        const std::string err = shell.run("scanlight " + line + " -o out.png").err;
+        EXPECT_NE(err.find(complaint), std::string::npos) << line << '\n' << err;
+    }
+    EXPECT_EQ(shell.file_count(), 0u);
 }
 
 TEST(Mistakes, OfGreyForColoursNameWhatHoldsColours) {

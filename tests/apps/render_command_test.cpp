@@ -245,6 +245,25 @@ TEST(Render, EachChoiceChangesThePicture) {
     }
 }
 
+TEST(Render, EachChoiceOfShadowsChangesThePicture) {
+    const Shell shell;
+    const std::string line = "scanlight render torus:10,6 --floor --view 25,35 -q -s 48x36 -o ";
+    run(shell, line + "map.png --shadows map --shadow-map-size 128");
+    for (const auto* option : {"", "--shadows map --shadow-map-size 40",
+                               "--shadows map --shadow-map-size 128 --shadow-bias 0",
+                               "--shadows map --shadow-map-size 128 --shadow-pcf 3",
+                               "--shadows polygons", "--shadows polygons --show details"}) {
+        run(shell, line + "other.png " + option);
+        EXPECT_EQ(shell.run("scanlight diff map.png other.png").status, 1) << option;
+    }
+}
+
+TEST(Render, DetailsAreOutlinedInFilesOfFloatsToo) {
+    const Shell shell;
+    run(shell, "scanlight render cube --floor --shadows polygons --show details -s 24x16 -o d.pfm");
+    expect_shape(load<ImageF>(shell, "d.pfm"), 24, 16, 3);
+}
+
 TEST(Render, TheShapesFirstSideIsTheOnlyOneLit) {
     const Shell shell;
     const std::string line = "scanlight render plane:2 --view 30,-40 -q -s 24x16 -o ";
@@ -286,6 +305,8 @@ TEST(Paths, DrawTheSameFiles) {
           "cube --shading gouraud --interpolation triangulated --perspective affine",
           "plane:2 --eye 0,0.3,0.4 --target 0,0,0 --illumination blinn --light point:0,0.4,0",
           "sphere:9,5 --illumination gouraud71 --shading gouraud --distances infinite",
+          "teapot:3 --floor --shadows map", "cube --floor --shadows map --shadow-pcf 3",
+          "cube --floor --shadows polygons --show details", "teapot:3 --floor --shadows polygons",
           "cylinder:7 --wireframe=over", "cylinder:7 --wireframe=hidden --cull back"}) {
         draw_all(shell, options + " --path fast", "fast");
         draw_all(shell, options + " --path textbook", "textbook");
