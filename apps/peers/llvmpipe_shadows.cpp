@@ -13,7 +13,7 @@
 #include "apps/peers/gl_geometry.h"
 #include "apps/peers/gl_program.h"
 #include "render/frame.h"
-#include "render/shadow_volume.h"
+#include "render/light_view.h"
 
 namespace scanlight::peers {
 
