@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "raster/decode_jpeg.h"
 #include "raster/decode_png.h"
 #include "raster/file_descriptor.h"
 #include "raster/hdr.h"
@@ -66,12 +67,13 @@ std::string_view beginning(const EncodedImage& file) {
 AnyImage decode_image(const EncodedImage& file) {
     const std::string_view text = beginning(file);
     if (text.starts_with("\x89PNG")) return decode_png(file);
+    if (text.starts_with("\xff\xd8\xff")) return decode_jpeg(file);
     if (text.starts_with("PF") || text.starts_with("Pf")) return decode_pfm(file);
     if (text.starts_with("#?")) return decode_hdr(file);
     if (text.size() > 1 && text[0] == 'P' && text[1] >= '1' && text[1] <= '7') {
         return decode_pnm(file);
     }
-    throw ImageError(file.name + ": not a PNG, PPM, PGM, PFM or Radiance HDR picture");
+    throw ImageError(file.name + ": not a PNG, JPEG, PPM, PGM, PFM or Radiance HDR picture");
 }
 
 AnyImage load_image(const std::string& path) {

@@ -7,8 +7,8 @@
 
 namespace scanlight::raster {
 
-/// The picture in the bytes of a PNG, binary PPM or PGM, PFM or Radiance HDR file, told apart by
-/// how they begin. Throws ImageError "name: reason": not one of these, damaged, wider or higher
+/// The picture in the bytes of a PNG, JPEG, binary PPM or PGM, PFM or Radiance HDR file, told apart
+/// by how they begin. Throws ImageError "name: reason": not one of these, damaged, wider or higher
 /// than 16384 pixels, or larger than 256 MiB, which is known before memory is taken.
 AnyImage decode_image(const EncodedImage& file);
 

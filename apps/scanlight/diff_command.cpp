@@ -83,7 +83,8 @@ void diff(const DiffOptions& options) {
 void add_diff_command(CLI::App& program) {
     auto options = std::make_shared<DiffOptions>();
     CLI::App* command = program.add_subcommand("diff", "How two pictures differ, pixel by pixel");
-    command->add_option("first", options->first, "PNG, PPM, PFM or HDR; - reads standard input")
+    command
+        ->add_option("first", options->first, "PNG, JPEG, PPM, PFM or HDR; - reads standard input")
         ->required()
         ->type_name("A");
     command->add_option("second", options->second, "the picture to hold against it")

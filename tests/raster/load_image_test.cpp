@@ -111,7 +111,7 @@ TEST(LoadImage, SaysWhichLimitIsPassed) {
 TEST(LoadImage, RefusesWhatIsNoPicture) {
     for (const auto* text : {"", "P", "P0", "P8 1 1", "\x89", "GIF89a", "#", "hello"}) {
         EXPECT_EQ(complaint(file_of(text)),
-                  "picture: not a PNG, PPM, PGM, PFM or Radiance HDR picture");
+                  "picture: not a PNG, JPEG, PPM, PGM, PFM or Radiance HDR picture");
     }
 }
 
