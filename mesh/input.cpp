@@ -31,6 +31,12 @@ private:
 
 enum class Accept { files, files_and_pipes };
 
+/// What is read, and how much of it.
+struct Rules {
+    Accept accept;
+    std::size_t most_bytes = max_file_bytes;
+};
+
 [[noreturn]] void fail(const std::string& name, const std::string& reason) {
     throw FileError(name + ": " + reason);
 }
@@ -48,9 +54,9 @@ void expect_kind(mode_t mode, Accept accept, const std::string& name) {
     fail(name, "is a device, not a file or pipe");
 }
 
-void expect_size(std::size_t size, const std::string& name) {
-    if (size > max_file_bytes) {
-        fail(name, "is larger than " + std::to_string(max_file_bytes >> 20) + " MiB");
+void expect_size(std::size_t size, const Rules& rules, const std::string& name) {
+    if (size > rules.most_bytes) {
+        fail(name, "is larger than " + std::to_string(rules.most_bytes >> 20) + " MiB");
     }
 }
 
@@ -63,15 +69,16 @@ std::size_t read_some(const Descriptor& file, char* to, std::size_t size, const 
 }
 
 /// Reads to the end. `expected` is a good guess of the size; a pipe's grows as it must.
-Bytes read_all(const Descriptor& file, std::size_t expected, const std::string& name) {
+Bytes read_all(const Descriptor& file, std::size_t expected, const Rules& rules,
+               const std::string& name) {
     std::size_t room = expected + 1;  // one more, to see the end without growing
     auto data = std::make_unique_for_overwrite<char[]>(room);
     std::size_t size = 0;
     while (const std::size_t got = read_some(file, data.get() + size, room - size, name)) {
         size += got;
-        expect_size(size, name);
+        expect_size(size, rules, name);
         if (size < room) continue;
-        room = std::min(2 * room, max_file_bytes + 1);
+        room = std::min(2 * room, rules.most_bytes + 1);
         auto larger = std::make_unique_for_overwrite<char[]>(room);
         std::memcpy(larger.get(), data.get(), size);
         data = std::move(larger);
@@ -79,24 +86,24 @@ Bytes read_all(const Descriptor& file, std::size_t expected, const std::string& 
     return {std::move(data), size};
 }
 
-Bytes read_open_file(const Descriptor& file, Accept accept, const std::string& name) {
+Bytes read_open_file(const Descriptor& file, const Rules& rules, const std::string& name) {
     constexpr std::size_t first_piece = 1 << 16;
     struct stat status {};
     if (::fstat(file.number(), &status) != 0) fail_with_errno(name, "cannot be read");
-    expect_kind(status.st_mode, accept, name);
+    expect_kind(status.st_mode, rules.accept, name);
     const auto size = static_cast<std::size_t>(status.st_size);
-    expect_size(size, name);
-    return read_all(file, std::max(size, first_piece), name);
+    expect_size(size, rules, name);
+    return read_all(file, std::max(size, first_piece), rules, name);
 }
 
 /// Looks before it opens: opening a device can do things of its own, a pipe can wait for ever.
-Bytes read_path(const std::string& path, Accept accept) {
+Bytes read_path(const std::string& path, const Rules& rules) {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) fail_with_errno(path, "cannot be opened");
-    expect_kind(status.st_mode, accept, path);
+    expect_kind(status.st_mode, rules.accept, path);
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
     if (file.number() < 0) fail_with_errno(path, "cannot be opened");
-    return read_open_file(file, accept, path);
+    return read_open_file(file, rules, path);
 }
 
 }  // namespace
@@ -106,12 +113,12 @@ std::string display_name(const std::string& path) {
 }
 
 Bytes read_input(const std::string& path) {
-    if (path != "-") return read_path(path, Accept::files_and_pipes);
-    return read_open_file(Descriptor(STDIN_FILENO), Accept::files_and_pipes, display_name(path));
+    if (path != "-") return read_path(path, {Accept::files_and_pipes});
+    return read_open_file(Descriptor(STDIN_FILENO), {Accept::files_and_pipes}, display_name(path));
 }
 
-Bytes read_regular_file(const std::string& path) {
-    return read_path(path, Accept::files);
+Bytes read_regular_file(const std::string& path, std::size_t most_bytes) {
+    return read_path(path, {Accept::files, most_bytes});
 }
 
 }  // namespace scanlight::mesh

@@ -30,7 +30,8 @@ std::string display_name(const std::string& path);
 /// (a folder, a device, a terminal), for more than `max_file_bytes`, and when reading fails.
 Bytes read_input(const std::string& path);
 
-/// All bytes of a regular file; the same errors, and pipes are refused too.
-Bytes read_regular_file(const std::string& path);
+/// All bytes of a regular file; the same errors, with another bound on its size perhaps, and pipes
+/// are refused too.
+Bytes read_regular_file(const std::string& path, std::size_t most_bytes = max_file_bytes);
 
 }  // namespace scanlight::mesh

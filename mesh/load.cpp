@@ -6,11 +6,11 @@
 #include "mesh/file_error.h"
 #include "mesh/file_format.h"
 #include "mesh/input.h"
-#include "mesh/library_folder.h"
 #include "mesh/load_obj.h"
 #include "mesh/load_off.h"
 #include "mesh/load_ply.h"
 #include "mesh/load_stl.h"
+#include "mesh/mesh_folder.h"
 
 namespace scanlight::mesh {
 namespace {
@@ -22,7 +22,7 @@ PolygonSoup load_bytes(std::string_view bytes, const std::string& path) {
     if (!format) throw FileError(name + ": is neither OBJ, PLY, OFF nor STL");
     switch (*format) {
         case FileFormat::obj:
-            return load_obj(bytes, name, libraries_beside(path));
+            return load_obj(bytes, name, files_beside(path, {"material library"}));
         case FileFormat::ply:
             return load_ply(bytes, name);
         case FileFormat::off:

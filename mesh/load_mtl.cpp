@@ -3,11 +3,12 @@
 #include <optional>
 
 #include "mesh/cursor.h"
+#include "mesh/mtl_words.h"
+#include "mesh/read_texture_map.h"
+#include "mesh/warnings.h"
 
 namespace scanlight::mesh {
 namespace {
-
-constexpr std::size_t max_warnings = 20;
 
 /// Reads statement by statement. Invariant: `library_` holds what the statements so far say.
 class MtlReader {
@@ -20,6 +21,7 @@ public:
     MaterialLibrary read() && {
         for (; !text_.at_end(); text_.next_line())
             read_statement(text_.word());
+        library_.warnings = warnings_.lines(text_);
         return std::move(library_);
     }
 
@@ -29,11 +31,34 @@ private:
         if (word == "Ka") return read_color(word, &Material::ambient);
         if (word == "Kd") return read_color(word, &Material::diffuse);
         if (word == "Ks") return read_color(word, &Material::specular);
+        if (word == "Ke") return read_color(word, &Material::emission);
+        if (word == "Tf") return read_color(word, &Material::filter);
         if (word == "Ns") return read_number(word, &Material::exponent);
         if (word == "Ni") return read_number(word, &Material::refraction);
         if (word == "d") return read_dissolve(word);
         if (word == "Tr") return read_transparency(word);
         if (word == "illum") return read_illumination(word);
+        if (word == "refl") return read_map(word, {});
+        read_map_or_pass_over(word);
+    }
+
+    /// Exporters write map_bump and map_Bump.
+    void read_map_or_pass_over(std::string_view word) {
+        for (const auto& [statement, use] : map_statements) {
+            if (equal_ignoring_case(word, statement)) return read_map(word, use);
+        }
+        if (word.empty()) return;
+        if (word == "disp") return warn(word, "a displacement");
+        if (word == "decal") return warn(word, "a decal");
+        warnings_.add(text_.offset(), "statement " + quoted(word) + " is passed over");
+    }
+
+    /// A reflection map tells its use itself.
+    void read_map(std::string_view word, std::optional<MapUse> use) {
+        Material& target = material(word);
+        auto arguments = read_texture_map(word, text_, warnings_);
+        if (!arguments) return;
+        target.maps[use.value_or(arguments->reflection)] = std::move(arguments->map);
     }
 
     void start_material() {
@@ -100,13 +125,13 @@ private:
     }
 
     void warn(std::string_view word, const char* what) {
-        if (library_.warnings.size() == max_warnings) return;
-        library_.warnings.push_back(text_.where() + ": " + std::string(word) + " gives " + what +
-                                    ", which is passed over");
+        warnings_.add(text_.offset(),
+                      std::string(word) + " gives " + what + ", which is passed over");
     }
 
     Cursor text_;
     MaterialLibrary library_;
+    Warnings warnings_;
     std::optional<float> dissolve_;  // what d said of this material
 };
 

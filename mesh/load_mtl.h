@@ -14,8 +14,10 @@ struct MaterialLibrary {
     std::vector<std::string> warnings;  // "name:line: what, and what is done about it"
 };
 
-/// Reads a Wavefront MTL file: Ka Kd Ks Ns d Tr Ni illum of each newmtl; textures and the rest are
-/// passed over. `name` is for messages. Throws FileError "name:line: reason".
+/// Reads a Wavefront MTL file: Ka Kd Ks Ke Tf Ns Ni d Tr illum of each newmtl, and its maps: map_Ka
+/// map_Kd map_Ks map_Ke map_Ns map_d bump norm refl. The rest is passed over with a warning. The
+/// latest of two statements for one thing holds. `name` is for messages. Throws FileError
+/// "name:line: reason".
 MaterialLibrary load_mtl(std::string_view bytes, const std::string& name);
 
 }  // namespace scanlight::mesh

@@ -36,7 +36,7 @@ struct Skipped {
 /// that positive indices may still point past the end: a face may come before its vertices.
 class ObjReader {
 public:
-    ObjReader(std::string_view bytes, const std::string& name, const OpenLibrary& open)
+    ObjReader(std::string_view bytes, const std::string& name, const OpenFile& open)
         : bytes_(bytes), text_(bytes, name, obj_rules), materials_(name, open) {
         expect_text(text_, bytes);
     }
@@ -212,7 +212,7 @@ private:
 
 }  // namespace
 
-PolygonSoup load_obj(std::string_view bytes, const std::string& name, const OpenLibrary& open) {
+PolygonSoup load_obj(std::string_view bytes, const std::string& name, const OpenFile& open) {
     return ObjReader(bytes, name, open).read();
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
-#include <array>
+#include <map>
 #include <string>
 
 #include <glm/vec3.hpp>
+
+#include "mesh/texture_map.h"
 
 namespace scanlight::mesh {
 
@@ -19,6 +21,11 @@ struct Material {
     float opacity = 1.0f;      // d, or 1 - Tr
     float refraction = 1.0f;   // Ni
     int illumination = 2;      // illum, 0 to 10
+    glm::vec3 emission{0.0f};  // Ke
+    glm::vec3 filter{1.0f};    // Tf, what is left of light that passes through
+    std::map<MapUse, TextureMap> maps{};
+
+    bool operator==(const Material&) const = default;
 };
 
 }  // namespace scanlight::mesh

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "mesh/cursor.h"
-#include "mesh/library_folder.h"
 #include "mesh/load_mtl.h"
 #include "mesh/material_table.h"
+#include "mesh/mesh_folder.h"
 #include "mesh/polygon_soup.h"
 
 namespace scanlight::mesh {
@@ -23,7 +23,7 @@ namespace scanlight::mesh {
 class ObjMaterials {
 public:
     /// `name` is the file's, for messages.
-    ObjMaterials(std::string name, const OpenLibrary& open) : name_(std::move(name)), open_(open) {}
+    ObjMaterials(std::string name, const OpenFile& open) : name_(std::move(name)), open_(open) {}
 
     /// The faces to come take the material of this name, defined or not.
     void use(std::string_view name);
@@ -47,7 +47,7 @@ private:
     void warn_of_undefined();
 
     std::string name_;
-    const OpenLibrary& open_;
+    const OpenFile& open_;
     MaterialTable table_;
     std::set<std::string, std::less<>> tried_;  // libraries, there or not
     std::optional<std::uint32_t> current_;

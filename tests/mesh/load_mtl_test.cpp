@@ -13,7 +13,7 @@ MaterialLibrary mtl(const std::string& text) {
 
 TEST(LoadMtl, ReadsEveryParameterOfTheChapter) {
     const Material m = mtl("newmtl shiny red\n\tKa 0.1 0.2 0.3\nKd 1 0 0 # red\nKs 0.5 0.5 0.25\n"
-                           "Ns 96.5\nNi 1.5\nd 0.75\nillum 3\nmap_Kd wood.png\nTf 1 1 1\n")
+                           "Ns 96.5\nNi 1.5\nd 0.75\nillum 3\nKe 1 2 3\nTf 0.5 0.25 1\n")
                            .materials.at(0);
     EXPECT_EQ(m.name, "shiny red");
     EXPECT_EQ(m.ambient, glm::vec3(0.1f, 0.2f, 0.3f));
@@ -23,6 +23,8 @@ TEST(LoadMtl, ReadsEveryParameterOfTheChapter) {
     EXPECT_EQ(m.refraction, 1.5f);
     EXPECT_EQ(m.opacity, 0.75f);
     EXPECT_EQ(m.illumination, 3);
+    EXPECT_EQ(m.emission, glm::vec3(1, 2, 3));
+    EXPECT_EQ(m.filter, glm::vec3(0.5f, 0.25f, 1));
 }
 
 TEST(LoadMtl, OneNumberIsAGrey) {
@@ -58,8 +60,12 @@ TEST(LoadMtl, WhatItCannotHonourIsAWarning) {
 TEST(LoadMtl, WarningsHaveABound) {
     std::string text = "newmtl a\n";
     for (int i = 0; i < 1000; ++i)
-        text += "illum 99\n";
-    EXPECT_LE(mtl(text).warnings.size(), 20u);
+        text += "illum 99\nword" + std::to_string(i) + " 1\n";
+    const std::vector<std::string> warnings = mtl(text).warnings;
+    EXPECT_EQ(warnings.size(), 20u);
+    EXPECT_EQ(warnings.at(0),
+              "file:2: illum gives a model other than 0 to 10, which is passed over, the first of "
+              "1000");
 }
 
 TEST(LoadMtl, BadFilesGetOneClearMessage) {
@@ -97,6 +103,13 @@ TEST(LoadMtl, BadFilesGetOneClearMessage) {
         {"newmtl a\nillum 2 2\n", "file:2: illum has too many numbers"},
         {"newmtl a\nillum 99999999999999999999\n",
          "file:2: \"99999999999999999999\" is out of range"},
+        {"newmtl a\nKe\n", "file:2: a number is missing"},
+        {"newmtl a\nKe 1 1\n", "file:2: a number is missing"},
+        {"newmtl a\nKe 1 1 1 1\n", "file:2: Ke has too many numbers"},
+        {"newmtl a\nTf white\n", "file:2: \"white\" is not a number"},
+        {"newmtl a\nTf 1 1 inf\n", "file:2: \"inf\" is not a finite number"},
+        {"Ke 1 1 1\n", "file:1: Ke before the first newmtl"},
+        {"Tf 1 1 1\n", "file:1: Tf before the first newmtl"},
         {std::string("newmtl a\0\n", 10), "file:1: a zero byte: this is not a text file"},
     };
     for (const BadFile& file : files)

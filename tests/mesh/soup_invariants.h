@@ -15,7 +15,8 @@ inline bool is_finite(const glm::vec3& v) {
 
 inline bool is_finite(const Material& m) {
     return is_finite(m.ambient) && is_finite(m.diffuse) && is_finite(m.specular) &&
-           std::isfinite(m.exponent) && std::isfinite(m.opacity) && std::isfinite(m.refraction);
+           is_finite(m.emission) && is_finite(m.filter) && std::isfinite(m.exponent) &&
+           std::isfinite(m.opacity) && std::isfinite(m.refraction);
 }
 
 inline bool has_only_finite_numbers(const PolygonSoup& soup) {

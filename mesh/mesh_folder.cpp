@@ -1,4 +1,4 @@
-#include "mesh/library_folder.h"
+#include "mesh/mesh_folder.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -31,18 +31,20 @@ fs::path folder_of(const std::string& mesh_path) {
     return fs::weakly_canonical(fs::absolute(mesh_path).parent_path());
 }
 
-[[noreturn]] void refuse(std::string_view name, std::string_view reason) {
-    throw FileError("material library " + quoted(name) + " is refused: " + std::string(reason));
+[[noreturn]] void refuse(const FileKind& kind, std::string_view name, std::string_view reason) {
+    throw FileError(kind.name + " " + quoted(name) + " is refused: " + std::string(reason));
 }
 
-std::optional<Bytes> open_beside(const fs::path& folder, std::string_view name) {
+std::optional<Bytes> open_beside(const fs::path& folder, const FileKind& kind,
+                                 std::string_view name) {
     const std::string_view reason = reason_to_refuse(name);
-    if (!reason.empty()) refuse(name, reason);
+    if (!reason.empty()) refuse(kind, name, reason);
     std::error_code error;
     const fs::path path = fs::canonical(folder / with_slashes(name), error);
     if (error) return std::nullopt;
-    if (!lies_in(folder, path)) refuse(name, "it is a link that leads out of the file's folder");
-    return read_regular_file(path.string());
+    if (!lies_in(folder, path))
+        refuse(kind, name, "it is a link that leads out of the file's folder");
+    return read_regular_file(path.string(), kind.most_bytes);
 }
 
 }  // namespace
@@ -57,10 +59,10 @@ std::string_view reason_to_refuse(std::string_view name) {
     return {};
 }
 
-OpenLibrary libraries_beside(const std::string& mesh_path) {
+OpenFile files_beside(const std::string& mesh_path, const FileKind& kind) {
     if (mesh_path == "-") return [](std::string_view) { return std::nullopt; };
-    return [folder = folder_of(mesh_path)](std::string_view name) {
-        return open_beside(folder, name);
+    return [folder = folder_of(mesh_path), kind](std::string_view name) {
+        return open_beside(folder, kind, name);
     };
 }
 

@@ -1,4 +1,4 @@
-#include "mesh/library_folder.h"
+#include "mesh/mesh_folder.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -15,9 +15,9 @@ using raster::put;
 using raster::TemporaryFolder;
 
 /// A folder with a mesh in `models`, libraries in and below it, and secrets around it.
-class LibraryFolder : public testing::Test {
+class MeshFolder : public testing::Test {
 protected:
-    LibraryFolder() {
+    MeshFolder() {
         fs::create_directories(folder_ / "models/sub");
         fs::create_directories(folder_ / "models2");
         for (const char* name : {"models/a.mtl", "models/sub/b.mtl", "models/c d.mtl", "secret.mtl",
@@ -40,7 +40,7 @@ protected:
     TemporaryFolder folder_;
 };
 
-TEST_F(LibraryFolder, OpensWhatLiesInIt) {
+TEST_F(MeshFolder, OpensWhatLiesInIt) {
     for (const std::string name :
          {"a.mtl", "./a.mtl", "sub/b.mtl", "sub\\b.mtl", "c d.mtl", "inside.mtl", "a.mtl sub/b.mtl",
           "none.mtl a.mtl", "  a.mtl  ", "sub//b.mtl"}) {
@@ -48,7 +48,7 @@ TEST_F(LibraryFolder, OpensWhatLiesInIt) {
     }
 }
 
-TEST_F(LibraryFolder, RefusesWhatLiesOutside) {
+TEST_F(MeshFolder, RefusesWhatLiesOutside) {
     const std::string secret = folder_ / "secret.mtl";
     for (const std::string& name :
          {std::string("../secret.mtl"), std::string("../../../../dev/zero"),
@@ -65,7 +65,7 @@ TEST_F(LibraryFolder, RefusesWhatLiesOutside) {
     }
 }
 
-TEST_F(LibraryFolder, RefusesWhatIsNoFile) {
+TEST_F(MeshFolder, RefusesWhatIsNoFile) {
     for (const std::string name : {"pipe.mtl", "sub", "."}) {
         const std::string error = error_of([&] { load_naming(name); });
         EXPECT_TRUE(error.starts_with((folder_ / "models/m.obj") + ":1: ")) << name;
@@ -73,7 +73,7 @@ TEST_F(LibraryFolder, RefusesWhatIsNoFile) {
     }
 }
 
-TEST_F(LibraryFolder, AMissingLibraryIsAWarning) {
+TEST_F(MeshFolder, AMissingLibraryIsAWarning) {
     const PolygonSoup soup = load_naming("none.mtl");
     EXPECT_EQ(soup.face_count(), 1u);
     EXPECT_EQ(soup.warnings.at(0), (folder_ / "models/m.obj") +
@@ -81,12 +81,12 @@ TEST_F(LibraryFolder, AMissingLibraryIsAWarning) {
                                        "materials take its place");
 }
 
-TEST_F(LibraryFolder, AMistakeInALibraryNamesTheLibrary) {
+TEST_F(MeshFolder, AMistakeInALibraryNamesTheLibrary) {
     put(folder_ / "models/bad.mtl", "newmtl a\nKd red\n");
     EXPECT_EQ(error_of([&] { load_naming("bad.mtl"); }), "bad.mtl:2: \"red\" is not a number");
 }
 
-TEST_F(LibraryFolder, TheFirstMaterialOfANameIsTaken) {
+TEST_F(MeshFolder, TheFirstMaterialOfANameIsTaken) {
     put(folder_ / "models/again.mtl", "newmtl a\nKd 0 0 1\nnewmtl z\n");
     const PolygonSoup soup = load_naming("a.mtl again.mtl");
     EXPECT_EQ(soup.materials.at(0).diffuse, glm::vec3(1, 0, 0));
@@ -97,7 +97,7 @@ TEST_F(LibraryFolder, TheFirstMaterialOfANameIsTaken) {
 
 TEST(Libraries, EachIsReadOnceAndTheyHaveABound) {
     int opened = 0;
-    const OpenLibrary open = [&](std::string_view) -> std::optional<Bytes> {
+    const OpenFile open = [&](std::string_view) -> std::optional<Bytes> {
         ++opened;
         return Bytes();
     };
