@@ -35,12 +35,12 @@ render::Drawing draw(const TestScene& test) {
 }
 
 std::vector<render::Stencil> count_shadows(const TestScene& test, render::Renderer& renderer) {
-    if (test.settings.shadows == render::Shadows::none) return {};
+    if (!render::counts_volumes(test.settings.shadows)) return {};
     return renderer.count_shadows(test.scene, test.settings, test.size);
 }
 
 std::vector<render::Stencil> count_shadows(const TestScene& test, render::Shadows method) {
-    if (method == render::Shadows::none) return {};
+    if (!render::counts_volumes(method)) return {};
     render::Settings settings = test.settings;
     settings.shadows = method;
     const render::SplitScene scenes = render::split_by_opacity(test.scene);
