@@ -14,13 +14,18 @@ namespace scanlight::render {
 enum class Paint { material, vertices };
 
 /// A material under a vertex colour, which multiplies what has the body's own colour: ambient and
-/// diffuse. The highlight stays.
+/// diffuse. The highlights stay.
 template <class Real>
 shading::Material<Real> painted(const shading::Material<float>& material,
                                 const shading::Rgb<Real>& color) {
-    return {shading::Rgb<Real>(material.ambient) * color,
-            shading::Rgb<Real>(material.diffuse) * color, shading::Rgb<Real>(material.specular),
-            material.exponent};
+    using shading::Rgb;
+    const auto& [diffuse, specular, exponent, eta] = material.transmission;
+    return {Rgb<Real>(material.ambient) * color,
+            Rgb<Real>(material.diffuse) * color,
+            Rgb<Real>(material.specular),
+            material.exponent,
+            {Rgb<Real>(diffuse) * color, Rgb<Real>(specular), exponent, eta},
+            material.facets};
 }
 
 /// What is lit at a place: the material, painted by `color()` if vertices bring colours.

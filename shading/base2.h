@@ -57,4 +57,14 @@ Real exp2_of(Real t) noexcept {
     return sum * power_of_two(whole);
 }
 
+/// e^-y for y >= 0, with a relative error below 1e-14 in double and 8e-6 in float; like a `power`
+/// it is 0 below 2^-100, and where y is NaN.
+template <class Real>
+Real exp_of_minus(Real y) noexcept {
+    const Real halvings = y * Real(1.44269504088896340736);  // 1/ln2
+    const auto counts = halvings <= Real(100);
+    const Real value = exp2_of(-select(counts, halvings, Real(0)));
+    return select(counts, value, Real(0));
+}
+
 }  // namespace scanlight::shading

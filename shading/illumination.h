@@ -5,12 +5,14 @@
 
 #include "shading/ambient.h"
 #include "shading/blinn.h"
+#include "shading/cook_torrance.h"
 #include "shading/gouraud_1971.h"
 #include "shading/lambert.h"
 #include "shading/light.h"
 #include "shading/material.h"
 #include "shading/phong.h"
 #include "shading/surface.h"
+#include "shading/transmission.h"
 
 namespace scanlight::shading {
 
@@ -71,6 +73,42 @@ struct Gouraud1971 {
     }
 };
 
+/// Blinn's light before the surface, and what comes through it of the light behind; Hall &
+/// Greenberg 1983. The local part of Whitted's model, which is Blinn's, knows only the former.
+///     I_p [K_d (N.L)+ + K_s ((N.H)+)^n + K_dt (-N.L)+ + K_t ((N.H_t)+)^n_t]
+struct Hall {
+    template <class Real, class Number>
+    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number>& material,
+                         const Incident<Real>& light) const noexcept {
+        const auto& [point, N, V] = surface;
+        const Vec3<Real>& L = light.direction;
+        const auto& [diffuse, specular, n_t, eta] = material.transmission;
+        const Rgb<Real> K_dt(diffuse);
+        const Rgb<Real> K_t(specular);
+        const Rgb<Real> through =
+            K_dt * transmitted_diffuse(N, L) + K_t * transmitted_highlight(N, L, V, eta, n_t);
+        return Blinn{}(surface, material, light) + light.intensity * through;
+    }
+};
+
+/// Diffuse light and what microfacets mirror; Cook & Torrance 1981.
+///     E (N.L)+ (K_d R_d + K_s R_s), R_d = rho_d/pi, K_d + K_s = 1
+/// For a lamp's irradiance E, in the paper I_i d_omega, stands pi I_p: then K_d rho_d plays the
+/// part of Phong's K_d, and the diffuse halves agree.
+struct CookTorrance {
+    template <class Real, class Number>
+    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number>& material,
+                         const Incident<Real>& light) const noexcept {
+        const auto& [point, N, V] = surface;
+        const Vec3<Real>& L = light.direction;
+        const auto& [slopes, reflectance, K_s] = material.facets;
+        const Rgb<Real> rho_d(material.diffuse);
+        const Rgb<Real> body = rho_d * (Real(1 - K_s) * lambert(N, L));
+        const Rgb<Real> facets = cook_torrance(N, L, V, slopes, reflectance) * Real(pi * K_s);
+        return light.intensity * (body + facets);
+    }
+};
+
 /// All the light of a scene.
 template <class Number>
 struct Lighting {
@@ -127,7 +165,7 @@ Rgb<Real> illuminate(const Surface<Real>& surface, const Material<Number>& mater
 }
 
 /// Which model, where it is chosen while the program runs.
-enum class Illumination { lambert, gouraud71, phong, blinn };
+enum class Illumination { lambert, gouraud71, phong, blinn, hall, cook_torrance };
 
 /// Calls `use` with the model's function object and returns what it returns. This stands outside
 /// the loop over pixels:
@@ -142,6 +180,10 @@ decltype(auto) with_illumination(Illumination kind, Use&& use, Gouraud1971 goura
             return std::forward<Use>(use)(Phong{});
         case Illumination::blinn:
             return std::forward<Use>(use)(Blinn{});
+        case Illumination::hall:
+            return std::forward<Use>(use)(Hall{});
+        case Illumination::cook_torrance:
+            return std::forward<Use>(use)(CookTorrance{});
         case Illumination::lambert:
             break;
     }

@@ -49,6 +49,7 @@ struct Format<float> {
     static constexpr std::size_t exp2_terms = 7;
     static constexpr std::size_t sine_terms = 7;
     static constexpr std::size_t arctangent_terms = 9;
+    static constexpr std::size_t squared_angle_terms = 8;
 };
 
 template <>
@@ -61,6 +62,7 @@ struct Format<double> {
     static constexpr std::size_t exp2_terms = 13;
     static constexpr std::size_t sine_terms = 11;
     static constexpr std::size_t arctangent_terms = 20;
+    static constexpr std::size_t squared_angle_terms = 18;
 };
 
 /// x = mantissa * 2^exponent, with the mantissa in [sqrt(1/2), sqrt(2)).

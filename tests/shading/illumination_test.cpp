@@ -15,13 +15,17 @@ namespace {
 
 constexpr int trials = 10000;
 constexpr Illumination every_model[] = {Illumination::lambert, Illumination::gouraud71,
-                                        Illumination::phong, Illumination::blinn};
+                                        Illumination::phong,   Illumination::blinn,
+                                        Illumination::hall,    Illumination::cook_torrance};
 
 Material<double> random_material(Random& random) {
     return {.ambient = random.color(),
             .diffuse = random.color(),
             .specular = random.color(),
-            .exponent = std::exp2(random.between(0, 11))};
+            .exponent = std::exp2(random.between(0, 11)),
+            .facets = {{FacetDistribution::beckmann, random.between(0.1, 0.6)},
+                       dielectric(random.between(1, 2)),
+                       random.between(0, 1)}};
 }
 
 Surface<double> random_surface(Random& random) {
@@ -286,6 +290,9 @@ TEST(WithIllumination, PicksTheNamedModel) {
     EXPECT_EQ(as(Illumination::gouraud71), illuminate<Gouraud1971>(surface, material, lighting));
     EXPECT_EQ(as(Illumination::phong), illuminate<Phong>(surface, material, lighting));
     EXPECT_EQ(as(Illumination::blinn), illuminate<Blinn>(surface, material, lighting));
+    EXPECT_EQ(as(Illumination::hall), illuminate<Hall>(surface, material, lighting));
+    EXPECT_EQ(as(Illumination::cook_torrance),
+              illuminate<CookTorrance>(surface, material, lighting));
     EXPECT_NE(as(Illumination::phong), as(Illumination::blinn));
     EXPECT_NE(as(Illumination::lambert), as(Illumination::gouraud71));
 }

@@ -133,6 +133,22 @@ void expect_lanes_equal_scalars(const Batch& batch, const Material<float>& mater
     }
 }
 
+/// Of all distributions and all kinds of reflectance.
+Microfacets random_facets(Random& random, int i) {
+    constexpr FacetDistribution distributions[] = {
+        FacetDistribution::beckmann, FacetDistribution::gauss, FacetDistribution::cosine};
+    const Reflectance materials[] = {dielectric(1.5), metal({0.2, 0.6, 1.4}, {3.3, 2.1, 1.9}),
+                                     shifted(metal_of_color({0.9, 0.6, 0.4}))};
+    const double m = random.between(0.05, 0.7);
+    return {{distributions[i % 3], m}, materials[i / 3 % 3], random.between(0, 1)};
+}
+
+Transmission<float> random_transmission(Random& random, double n) {
+    const Rgb<float> diffuse(random.color());
+    const Rgb<float> specular(random.color());
+    return {diffuse, specular, n, random.between(0, 1) < 0.2 ? 1 : random.between(0.5, 2)};
+}
+
 TEST(Lanes, HaveTheBitsOfTheScalars) {
     Random random(1);
     for (const double n : {0.0, 1.0, 20.0, 96.078431}) {
@@ -140,12 +156,17 @@ TEST(Lanes, HaveTheBitsOfTheScalars) {
                                       Falloff::inverse_plus_k}) {
             for (int i = 0; i < 200; ++i) {
                 const Batch batch = random_batch(random);
-                const Material<float> material{.specular = Rgb<float>(0.5f), .exponent = n};
+                const Material<float> material{.specular = Rgb<float>(0.5f),
+                                               .exponent = n,
+                                               .transmission = random_transmission(random, n),
+                                               .facets = random_facets(random, i)};
                 const Lighting<float> lighting = random_lighting(random, falloff);
                 expect_lanes_equal_scalars<Lambert>(batch, material, lighting);
                 expect_lanes_equal_scalars<Gouraud1971>(batch, material, lighting);
                 expect_lanes_equal_scalars<Phong>(batch, material, lighting);
                 expect_lanes_equal_scalars<Blinn>(batch, material, lighting);
+                expect_lanes_equal_scalars<Hall>(batch, material, lighting);
+                expect_lanes_equal_scalars<CookTorrance>(batch, material, lighting);
             }
         }
     }

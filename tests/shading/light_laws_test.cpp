@@ -96,6 +96,76 @@ TEST(Refraction, GrazingLightBetweenEqualMediaIsNotTotallyReflected) {
     EXPECT_EQ(refracted_cosine(1.5f, 1.5f, 0.0f), 0.0f);
 }
 
+/// The angle of T to the other side, by its tangent: with no index in it.
+double sine_beyond(const Vec3<double>& T, const Vec3<double>& N) {
+    return glm::length(glm::cross(T, N)) / glm::length(T);
+}
+
+TEST(RefractedDirection, KeepsSnellsLawAndThePlane) {
+    Random random(8);
+    int total_reflections = 0;
+    for (int i = 0; i < trials; ++i) {
+        const Vec3<double> N = random.unit_vector();
+        const Vec3<double> V = random.above(N);
+        const double eta = std::exp2(random.between(-1.2, 1.2));
+        const double sine = glm::length(glm::cross(V, N));
+        const Vec3<double> T = refracted(V, N, eta);
+        if (sine > eta) {
+            ++total_reflections;
+            ASSERT_EQ(T, Vec3<double>(0));
+            continue;
+        }
+        ASSERT_NEAR(glm::length(T), 1, 1e-12);
+        ASSERT_LE(dot(T, N), 0);
+        ASSERT_NEAR(eta * sine_beyond(T, N), sine, 1e-12);
+        ASSERT_NEAR(dot(glm::cross(N, V), T), 0, 1e-12);
+        ASSERT_LE(dot(T - N * dot(T, N), V - N * dot(V, N)), 0);  // on the other side of N
+    }
+    EXPECT_GT(total_reflections, trials / 20);
+}
+
+TEST(RefractedDirection, OfWhittedMadeUnitIsHeckberts) {
+    Random random(9);
+    int total_reflections = 0;
+    for (int i = 0; i < trials; ++i) {
+        const Vec3<double> N = random.unit_vector();
+        const Vec3<double> V = random.above(N, 0.01);
+        const double eta = std::exp2(random.between(-1.2, 1.2));
+        const Vec3<double> heckbert = refracted(V, N, eta);
+        if (std::abs(dot(heckbert, N)) < 1e-4 && heckbert != Vec3<double>(0)) continue;
+        const Vec3<double> whitted = whitted_refracted(V, N, eta);
+        if (heckbert == Vec3<double>(0)) {
+            ++total_reflections;
+            ASSERT_EQ(whitted, heckbert);
+        } else {
+            ASSERT_NEAR(dot(whitted, N), -1, 1e-9);
+            ASSERT_NEAR(glm::length(unit(whitted) - heckbert), 0, 1e-9);
+        }
+    }
+    EXPECT_GT(total_reflections, trials / 20);
+}
+
+TEST(RefractedDirection, IsReversible) {
+    Random random(10);
+    for (int i = 0; i < trials; ++i) {
+        const Vec3<double> N = random.unit_vector();
+        const Vec3<double> V = random.above(N, 0.01);
+        const double eta = random.between(1, 2.5);
+        const Vec3<double> T = refracted(V, N, eta);
+        ASSERT_NEAR(glm::length(refracted(T, -N, 1 / eta) - V), 0, 1e-10);
+    }
+}
+
+TEST(RefractedDirection, GoesStraightOnBetweenEqualMediaAndAlongTheNormal) {
+    Random random(11);
+    for (int i = 0; i < 100; ++i) {
+        const Vec3<double> N = random.unit_vector();
+        const Vec3<double> V = random.above(N, 0.01);
+        ASSERT_NEAR(glm::length(refracted(V, N, 1.0) + V), 0, 1e-12);
+        ASSERT_NEAR(glm::length(refracted(N, N, 1.5) + N), 0, 1e-12);
+    }
+}
+
 TEST(Energy, ShareLeftIsTakenChannelByChannel) {
     using Color = Rgb<double>;
     const Color left = energy_left(Color(1), Color(0.5, 0.2, 0), Color(0.3, 0.2, 0), Color(0.1));

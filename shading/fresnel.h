@@ -1,0 +1,69 @@
+#pragma once
+
+#include "shading/vector.h"
+
+namespace scanlight::shading {
+
+// Fresnel 1823: the share of light that a smooth surface mirrors. Unpolarised light; `c` is the
+// cosine of the angle between the normal and the light, 0 to 1. Results lie within 0 to 1 and are
+// never NaN.
+
+/// Of a dielectric, n = eta_2/eta_1 > 0 as seen from the light's side:
+///     rho = 1/2 [tan^2(theta - psi)/tan^2(theta + psi) + sin^2(theta - psi)/sin^2(theta + psi)]
+/// in the form of Cook & Torrance 1981, which takes no angle:
+///     rho = 1/2 ((g - c)/(g + c))^2 [1 + ((c (g + c) - 1)/(c (g - c) + 1))^2],
+///     g^2 = n^2 + c^2 - 1
+/// 1 at total reflection, g^2 < 0, and at 90 degrees; ((n - 1)/(n + 1))^2 at 0; and 0 for n = 1,
+/// since g^2 is then c^2 to the bit.
+template <class Real>
+Real fresnel(Real c, Real n) noexcept {
+    const Real g2 = (n - Real(1)) * (n + Real(1)) + c * c;
+    const Real g = square_root(positive_part(g2));
+    const Real sum = select(g + c > Real(0), g + c, Real(1));
+    const Real perpendicular = (g - c) / sum;
+    const Real ratio = (c * sum - Real(1)) / (c * (g - c) + Real(1));
+    const Real rho = Real(0.5) * (perpendicular * perpendicular) * (Real(1) + ratio * ratio);
+    return select(g2 < Real(0), Real(1), rho);
+}
+
+/// Of a metal in air, whose index is n + ik in this channel. With s^2 = 1 - c^2,
+/// a = n^2 - k^2 - s^2, q = sqrt(a^2 + 4 n^2 k^2) and p = sqrt((q + a)/2):
+///     rho_perpendicular = (q + c^2 - 2 p c)/(q + c^2 + 2 p c)
+///     rho_parallel = rho_perpendicular (c^2 q + s^4 - 2 p c s^2)/(c^2 q + s^4 + 2 p c s^2)
+/// Born & Wolf, "Principles of Optics", 14.2. For k = 0 it is the dielectric's.
+template <class Real>
+Real fresnel_metal(Real c, Real n, Real k) noexcept {
+    const Real c2 = c * c;
+    const Real s2 = positive_part(Real(1) - c2);
+    const Real a = ((n - Real(1)) * (n + Real(1)) - k * k) + c2;
+    const Real nk2 = Real(2) * (n * k);
+    const Real q = square_root(a * a + nk2 * nk2);
+    const Real p = square_root(positive_part(q + a) * Real(0.5));
+    const Real pc2 = Real(2) * (p * c);
+    const Real sum = (q + c2) + pc2;
+    const Real perpendicular = ((q + c2) - pc2) / select(sum > Real(0), sum, Real(1));
+    const Real whole = c2 * q + s2 * s2;
+    const Real parallel = perpendicular * (whole - pc2 * s2) / (whole + pc2 * s2);
+    return positive_part(Real(0.5) * (perpendicular + parallel));
+}
+
+/// Cook & Torrance 1981, for a metal of which no more is known than what it reflects straight back,
+/// rho_0 in [0, 1): the index that would reflect as much with k = 0,
+///     n = (1 + sqrt(rho_0))/(1 - sqrt(rho_0)).
+template <class Real>
+Real index_from_reflectance(Real rho_0) noexcept {
+    const Real root = square_root(rho_0);
+    return (Real(1) + root) / (Real(1) - root);
+}
+
+/// Cook & Torrance 1981: the colour of what a material mirrors, from its colour C_0 straight back
+/// to that of the light, white, at 90 degrees, by one index n > 1 for all channels:
+///     C = C_0 + (1 - C_0) (rho(c) - rho(1))+ / (1 - rho(1))
+template <class Real>
+Rgb<Real> fresnel_color(Real c, const Rgb<Real>& C_0, Real n) noexcept {
+    const Real rho_0 = fresnel(Real(1), n);
+    const Real share = positive_part(fresnel(c, n) - rho_0) / (Real(1) - rho_0);
+    return C_0 + (Rgb<Real>(Real(1)) - C_0) * share;
+}
+
+}  // namespace scanlight::shading

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "shading/fresnel.h"
+
+namespace scanlight::shading {
+
+/// What a smooth piece of a material mirrors, channel by channel, in air. Make one with a function
+/// below.
+struct Reflectance {
+    enum class Kind { dielectric, metal, shifted };
+
+    Kind kind = Kind::dielectric;
+    Rgb<double> n{1.5};  // the index is n + ik; a dielectric's is the same in all channels
+    Rgb<double> k{0};
+    Rgb<double> C_0{0.04};  // at 0 degrees
+};
+
+/// Of a dielectric of index `n` > 0: nearly grey, so that highlights have the light's colour.
+Reflectance dielectric(double n) noexcept;
+
+/// Of a metal of index n + ik in each channel.
+Reflectance metal(const Rgb<double>& n, const Rgb<double>& k) noexcept;
+
+/// Of a material of which only the colour is known that it mirrors at 0 degrees: by the index that
+/// would give as much, channel by channel. Each channel counts as no more than 0.999.
+Reflectance metal_of_color(const Rgb<double>& C_0) noexcept;
+
+/// The same material in Cook and Torrance's fast form, by one index for all channels: see
+/// `fresnel_color`.
+Reflectance shifted(const Reflectance& material) noexcept;
+
+/// rho, at an angle of cosine `c`. Of which kind the material is all its pixels have in common.
+template <class Real>
+Rgb<Real> reflectance_at(Real c, const Reflectance& material) noexcept {
+    const auto& [kind, n, k, C_0] = material;
+    switch (kind) {
+        case Reflectance::Kind::metal:
+            return {fresnel_metal(c, Real(n.x), Real(k.x)), fresnel_metal(c, Real(n.y), Real(k.y)),
+                    fresnel_metal(c, Real(n.z), Real(k.z))};
+        case Reflectance::Kind::shifted:
+            return fresnel_color(c, Rgb<Real>(C_0), Real(n.x));
+        case Reflectance::Kind::dielectric:
+            break;
+    }
+    return Rgb<Real>(fresnel(c, Real(n.x)));
+}
+
+}  // namespace scanlight::shading
