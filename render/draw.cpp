@@ -69,6 +69,17 @@ Drawing draw_depth(const Scene& scene, const Settings& settings, raster::Viewpor
     return result;
 }
 
+Drawing draw_fresnel(const Scene& scene, const Settings& settings, raster::Viewport viewport) {
+    Drawing result{raster::Framebuffer(viewport, scene.background), {}};
+    const Frame frame = frame_of(scene, settings.distances, viewport);
+    for (const Object& object : scene.objects) {
+        const PlacedMesh mesh = placed(object, frame);
+        result.counts += draw_polygons(mesh, FresnelTechnique(mesh, frame), frame, settings,
+                                       result.framebuffer.depth, result.framebuffer.color);
+    }
+    return result;
+}
+
 raster::Plane<glm::vec3> draw_normals(const Scene& scene, const Settings& settings,
                                       raster::Viewport viewport) {
     raster::Plane<raster::Depth> depth(viewport, raster::depth_clear);

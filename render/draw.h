@@ -23,6 +23,10 @@ Drawing draw_opaque(const Scene& scene, const Settings& settings, raster::Viewpo
 /// The same in the background's colour, unlit: what is in front hides what comes later.
 Drawing draw_depth(const Scene& scene, const Settings& settings, raster::Viewport viewport);
 
+/// How much of the light a smooth surface of the same material would mirror into the eye, by
+/// Fresnel's equations; in the place of the light.
+Drawing draw_fresnel(const Scene& scene, const Settings& settings, raster::Viewport viewport);
+
 /// The normals that Phong shading lights: unit, world space; zero where nothing is.
 raster::Plane<glm::vec3> draw_normals(const Scene& scene, const Settings& settings,
                                       raster::Viewport viewport);

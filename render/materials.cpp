@@ -4,8 +4,15 @@ namespace scanlight::render {
 
 shading::Material<float> shading_material(const mesh::Material& material) {
     const bool has_highlight = material.illumination >= 2;
-    return {material.ambient, material.diffuse, has_highlight ? material.specular : glm::vec3(0.0f),
-            static_cast<double>(material.exponent), material.opacity};
+    shading::Material<float> result;
+    result.ambient = material.ambient;
+    result.diffuse = material.diffuse;
+    result.specular = has_highlight ? material.specular : glm::vec3(0.0f);
+    result.exponent = static_cast<double>(material.exponent);
+    result.opacity = material.opacity;
+    if (material.refraction > 1.0f)
+        result.facets.reflectance = shading::dielectric(material.refraction);
+    return result;
 }
 
 std::vector<shading::Material<float>> shading_materials(

@@ -25,6 +25,11 @@ bool has_large_polygon(const mesh::Mesh& mesh) {
 void ShadowSides::find(const ObjectPass& pass, const glm::dvec4& light,
                        const raster::Bands& bands) {
     triangles_.clear();
+    if (casts_shadow(*pass.object, *pass.settings)) find_triangles(pass, light);
+    sort_into(bands);
+}
+
+void ShadowSides::find_triangles(const ObjectPass& pass, const glm::dvec4& light) {
     const raster::Viewport viewport = pass.frame->viewport;
     const ShadowVolume volume(*pass.object, pass.silhouettes(), light, *pass.frame);
     const auto deep = deep_for(*pass.frame, has_vertex_outside(pass, raster::ClipPlane::far));
@@ -46,7 +51,6 @@ void ShadowSides::find(const ObjectPass& pass, const glm::dvec4& light,
             raster::near_section(face, viewport, [&](const auto& part) { add(part, count); });
         });
     }
-    sort_into(bands);
 }
 
 void ShadowSides::sort_into(const raster::Bands& bands) {

@@ -31,6 +31,7 @@ public:
     std::size_t bytes() const;
 
 private:
+    void find_triangles(const ObjectPass& pass, const glm::dvec4& light);
     void sort_into(const raster::Bands& bands);
 
     std::vector<raster::CountedTriangle> triangles_;

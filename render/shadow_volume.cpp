@@ -1,5 +1,6 @@
 #include "render/shadow_volume.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/gtc/matrix_access.hpp>
@@ -41,6 +42,12 @@ struct NearSides {
 };
 
 }  // namespace
+
+bool casts_shadow(const Object& object, const Settings& settings) {
+    if (settings.illumination != shading::Illumination::hall) return true;
+    return std::ranges::all_of(object.materials,
+                               [](const auto& m) { return shading::is_opaque(m.transmission); });
+}
 
 raster::Deep deep_for(const Frame& frame, bool beyond_far) {
     return tells_infinity(frame) && !beyond_far ? raster::Deep::reaches : raster::Deep::splits;

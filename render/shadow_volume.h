@@ -12,6 +12,10 @@
 
 namespace scanlight::render {
 
+/// Whether an object keeps light away. What lets light through, under a model that knows of it,
+/// does not: neither from other objects nor from its own far side.
+bool casts_shadow(const Object& object, const Settings& settings);
+
 /// How a surface goes on beyond the far plane so that depth can tell its ends; `beyond_far` says
 /// whether any vertex lies there.
 raster::Deep deep_for(const Frame& frame, bool beyond_far);

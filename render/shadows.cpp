@@ -26,7 +26,7 @@ public:
     ScreenVolumes(const Scene& scene, const Settings& settings, std::size_t light,
                   raster::Viewport viewport)
         : scene_(scene),
-          method_(settings.shadows),
+          settings_(settings),
           frame_(frame_of(scene, settings.distances, viewport)),
           light_(homogeneous(frame_.lighting.lights[light])) {}
 
@@ -35,6 +35,7 @@ public:
     void for_each_part(Visit&& visit) const {
         for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
             const Object& object = scene_.objects[i];
+            if (!casts_shadow(object, settings_)) continue;
             std::optional<mesh::SilhouetteFinder> own;
             const mesh::SilhouetteFinder& silhouettes =
                 object.silhouettes != nullptr ? *object.silhouettes : own.emplace(*object.mesh);
@@ -77,7 +78,7 @@ private:
                        Visit&& visit) const {
         raster::clip_volume_face(corners, deep, frame_.viewport,
                                  [&](const auto& part) { visit(part, face); });
-        if (method_ == Shadows::zpass_from_zero) return;
+        if (settings_.shadows == Shadows::zpass_from_zero) return;
         // The count does not begin at 0 where the eye is in a volume.
         face.part = VolumePart::near_cut;
         raster::near_section(corners, frame_.viewport,
@@ -85,7 +86,7 @@ private:
     }
 
     const Scene& scene_;
-    Shadows method_;
+    Settings settings_;
     Frame frame_;
     glm::dvec4 light_;
 };

@@ -6,6 +6,7 @@
 
 #include "raster/fragments.h"
 #include "render/placed_mesh.h"
+#include "shading/reflectance.h"
 
 namespace scanlight::render {
 
@@ -89,6 +90,40 @@ public:
 
 private:
     const PlacedMesh& placed_;
+};
+
+/// The share of light that a smooth surface of the pixel's material would mirror into the eye: rho
+/// of Fresnel's equations, at the angle between N and V.
+class FresnelTechnique {
+public:
+    static constexpr int attribute_count = 3;
+    using Pixel = raster::Rgba;
+    struct Polygon {
+        const shading::Reflectance& reflectance;
+        glm::vec3 normal;
+    };
+
+    FresnelTechnique(const PlacedMesh& placed, const Frame& frame)
+        : placed_(placed), normals_(placed), frame_(frame) {}
+
+    std::array<float, 3> corner(std::size_t face, std::uint32_t vertex, Side side) const {
+        return normals_.corner(face, vertex, side);
+    }
+    Polygon polygon(std::size_t face, Side side) const {
+        return {placed_.material_of(face).facets.reflectance, normals_.polygon(face, side)};
+    }
+    raster::Rgba shade(const raster::Fragment<3>& fragment, const Polygon& polygon) const {
+        const glm::vec3 N = normals_.shade(fragment, polygon.normal);
+        const glm::vec3 V =
+            frame_.view_from(frame_.point_at(fragment.x, fragment.y, fragment.depth));
+        const float cosine = shading::positive_part(shading::dot(N, V));
+        return raster::Rgba(shading::reflectance_at(cosine, polygon.reflectance), 1.0f);
+    }
+
+private:
+    const PlacedMesh& placed_;
+    NormalTechnique normals_;
+    const Frame& frame_;
 };
 
 }  // namespace scanlight::render

@@ -165,7 +165,8 @@ shading::Material<Real, shading::VaryingExponent<Real>> with_exponent(
     const Real n = Real(material.exponent.value()) * shading::positive_part(factor);
     const Real most(0x1p24f);
     using shading::select;
-    return {material.ambient, material.diffuse, material.specular, {select(n < most, n, most)}};
+    return {material.ambient,      material.diffuse, material.specular, {select(n < most, n, most)},
+            material.transmission, material.facets};
 }
 
 /// What the surface sends without any light source: the ambient term, and what the environment

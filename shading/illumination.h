@@ -77,8 +77,8 @@ struct Gouraud1971 {
 /// Greenberg 1983. The local part of Whitted's model, which is Blinn's, knows only the former.
 ///     I_p [K_d (N.L)+ + K_s ((N.H)+)^n + K_dt (-N.L)+ + K_t ((N.H_t)+)^n_t]
 struct Hall {
-    template <class Real, class Number>
-    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number>& material,
+    template <class Real, class Number, class Power>
+    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number, Power>& material,
                          const Incident<Real>& light) const noexcept {
         const auto& [point, N, V] = surface;
         const Vec3<Real>& L = light.direction;
@@ -96,8 +96,8 @@ struct Hall {
 /// For a lamp's irradiance E, in the paper I_i d_omega, stands pi I_p: then K_d rho_d plays the
 /// part of Phong's K_d, and the diffuse halves agree.
 struct CookTorrance {
-    template <class Real, class Number>
-    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number>& material,
+    template <class Real, class Number, class Power>
+    Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number, Power>& material,
                          const Incident<Real>& light) const noexcept {
         const auto& [point, N, V] = surface;
         const Vec3<Real>& L = light.direction;

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "shading/angle.h"
 #include "shading/vector.h"
 
 namespace scanlight::shading {
-
-inline constexpr double pi = 3.14159265358979323846;
 
 /// Energy: what arrives is scattered, mirrored, transmitted or absorbed,
 ///     I_i = I_d + I_s + I_t + I_v.

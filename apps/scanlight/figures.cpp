@@ -119,6 +119,66 @@ const std::vector<Figure>& figures() {
           "--illumination phong --material \"kd=0.1 ks=0.9 n=20\"",
           "plane:1 --eye 0,0.35,1.3 --target 0,-0.1,0 --fov 60 --light world:0,0.35,-1 "
           "--illumination blinn --material \"kd=0.1 ks=0.9 n=80\""}},
+        {"plastic-metal",
+         "Phong's teapot is plastic: its highlights are white. Those of Cook and Torrance's copper "
+         "and gold have the metal's colour.",
+         {"teapot:8 --illumination phong --material \"kd=#b4573a ks=0.5 n=30\" --ambient 0.04 "
+          "--light -0.7,0.7,1,#999 --light 1,0.3,0.2,#777 --light 0,-1,0.6,#555",
+          "teapot:8 --illumination cook-torrance --metal copper --roughness 0.35 --ambient 0.04 "
+          "--light -0.7,0.7,1,#999 --light 1,0.3,0.2,#777 --light 0,-1,0.6,#555",
+          "teapot:8 --illumination cook-torrance --metal gold --roughness 0.3 --ambient 0.04 "
+          "--light -0.7,0.7,1,#999 --light 1,0.3,0.2,#777 --light 0,-1,0.6,#555"}},
+        {"towards-grazing",
+         "Light on a floor at 45 and at 77 degrees: Phong's highlight stays as it is, Cook and "
+         "Torrance's grows.",
+         {"plane:1 --fov 40 --ambient 0.05 --eye 0,1.1,1.1 --target 0,0,0 --light world:0,1,-1,#888 "
+          "--illumination phong --material \"kd=0.12 ks=0.4 n=40\"",
+          "plane:1 --fov 40 --ambient 0.05 --eye 0,0.35,1.5 --target 0,0,0 "
+          "--light world:0,0.35,-1.5,#888 --illumination phong --material \"kd=0.12 ks=0.4 n=40\"",
+          "plane:1 --fov 40 --ambient 0.05 --eye 0,1.1,1.1 --target 0,0,0 --light world:0,1,-1,#888 "
+          "--illumination cook-torrance --material kd=0.24",
+          "plane:1 --fov 40 --ambient 0.05 --eye 0,0.35,1.5 --target 0,0,0 "
+          "--light world:0,0.35,-1.5,#888 --illumination cook-torrance --material kd=0.24"}},
+        {"roughness",
+         "Gold whose facets have a slope of m = 0.15, 0.3, 0.6: the smoother, the smaller and "
+         "brighter the highlight.",
+         {"sphere:48,24 --illumination cook-torrance --metal gold --roughness 0.15 --ambient 0.1 "
+          "--light -0.7,0.7,1,#888",
+          "sphere:48,24 --illumination cook-torrance --metal gold --roughness 0.3 --ambient 0.1 "
+          "--light -0.7,0.7,1,#888",
+          "sphere:48,24 --illumination cook-torrance --metal gold --roughness 0.6 --ambient 0.1 "
+          "--light -0.7,0.7,1,#888"}},
+        {"facet-distributions",
+         "Facets of one slope, m = 0.5, after Beckmann, Gauss, and by the power of a cosine.",
+         {"sphere:48,24 --illumination cook-torrance --metal silver --roughness 0.5 --ambient 0.05 "
+          "--light -0.7,0.7,1,#888 --distribution beckmann",
+          "sphere:48,24 --illumination cook-torrance --metal silver --roughness 0.5 --ambient 0.05 "
+          "--light -0.7,0.7,1,#888 --distribution gauss",
+          "sphere:48,24 --illumination cook-torrance --metal silver --roughness 0.5 --ambient 0.05 "
+          "--light -0.7,0.7,1,#888 --distribution cosine"}},
+        {"fresnel",
+         "What spheres of glass, copper and gold mirror of the light: glass little in the middle and "
+         "all at the rim, where metals too lose their colour.",
+         {"sphere:96,48 --illumination cook-torrance --show fresnel --background 0",
+          "sphere:96,48 --illumination cook-torrance --show fresnel --background 0 --metal copper",
+          "sphere:96,48 --illumination cook-torrance --show fresnel --background 0 --metal gold"}},
+        {"frosted-pane",
+         "A lamp behind a pane, to the right of its middle: nothing of it by Blinn, whose light is "
+         "the local one of Whitted too; the lamp through frosted glass, and through opal, by Hall.",
+         {"plane:1 --eye 0,1.6,0.9 --target 0,0,0 --fov 40 --ambient 0.08 "
+          "--light point:0.1,-0.5,-0.1 --illumination blinn --material \"kd=0.3 ks=0.3 n=40\"",
+          "plane:1 --eye 0,1.6,0.9 --target 0,0,0 --fov 40 --ambient 0.08 "
+          "--light point:0.1,-0.5,-0.1 --illumination hall "
+          "--material \"kd=0.3 ks=0.3 n=40 kt=0.7 nt=60\"",
+          "plane:1 --eye 0,1.6,0.9 --target 0,0,0 --fov 40 --ambient 0.08 "
+          "--light point:0.1,-0.5,-0.1 --illumination hall "
+          "--material \"kd=0.3 ks=0.3 n=40 kt=0.5 nt=60 kdt=0.4\""}},
+        {"lampshade",
+         "A globe with a lamp in it, and another lamp in front: dark by Phong, aglow by Hall.",
+         {"sphere:48,24 --illumination phong --material \"kd=#a08060 ks=0.2 n=30\" --ambient 0.1 "
+          "--light point:0,-0.3,0,#888 --light -0.7,0.7,1,#333",
+          "sphere:48,24 --illumination hall --material \"kd=#a08060 ks=0.2 n=30 kdt=#ffd090 kt=0.3 "
+          "nt=20\" --ambient 0.1 --light point:0,-0.3,0,#888 --light -0.7,0.7,1,#333"}},
         {"lights",
          "Three coloured lamps on a white sphere: coloured lobes, mixed where they overlap.",
          {"sphere:48,24 --material \"kd=0.9 ks=0.3 n=60\" --ambient 0.02 --light 0,1,0.8,#ff2020 "

@@ -1,5 +1,6 @@
 #include "apps/scanlight/parse.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -118,6 +119,39 @@ std::optional<shading::Falloff> falloff_named(std::string_view name) {
     return std::nullopt;
 }
 
+constexpr std::string_view material_words =
+    "ka=…, kd=…, ks=…, n=…, mirror=…, opacity=…, kdt=…, kt=… or nt=…";
+
+glm::vec3* color_named(std::string_view key, shading::Material<float>& material) {
+    if (key == "ka") return &material.ambient;
+    if (key == "kd") return &material.diffuse;
+    if (key == "ks") return &material.specular;
+    if (key == "mirror") return &material.mirror;
+    if (key == "kdt") return &material.transmission.diffuse;
+    if (key == "kt") return &material.transmission.specular;
+    return nullptr;
+}
+
+float parse_opacity(std::string_view text) {
+    const auto opacity = static_cast<float>(parse_number(text, "material opacity"));
+    if (!(opacity >= 0.0f && opacity <= 1.0f))
+        refuse("material opacity", text, "a number from 0 to 1");
+    return opacity;
+}
+
+shading::Exponent* exponent_named(std::string_view key, shading::Material<float>& material) {
+    if (key == "n") return &material.exponent;
+    if (key == "nt") return &material.transmission.exponent;
+    return nullptr;
+}
+
+double parse_exponent(std::string_view key, std::string_view value) {
+    const std::string what = "material " + std::string(key);
+    const double exponent = parse_number(value, what);
+    if (exponent < 0.0) refuse(what, value, "0 or more");
+    return exponent;
+}
+
 }  // namespace
 
 double parse_number(std::string_view text, std::string_view what) {
@@ -190,32 +224,34 @@ shading::Material<float> parse_material(std::string_view text, shading::Material
     for (const std::string_view word : split(text, ' ')) {
         if (word.empty()) continue;
         const auto parts = split(word, '=');
-        if (parts.size() != 2)
-            refuse("material", word, "ka=…, kd=…, ks=…, n=…, mirror=… or opacity=…");
+        if (parts.size() != 2) refuse("material", word, material_words);
         const auto [key, value] = std::pair(parts[0], parts[1]);
-        if (key == "n") {
-            const double exponent = parse_number(value, "material n");
-            if (exponent < 0.0) refuse("material n", value, "0 or more");
-            base.exponent = exponent;
-        } else if (key == "ka") {
-            base.ambient = parse_color(value);
-            has_ambient = true;
-        } else if (key == "kd") {
-            base.diffuse = parse_color(value);
-            if (!has_ambient) base.ambient = base.diffuse;
-        } else if (key == "ks") {
-            base.specular = parse_color(value);
-        } else if (key == "mirror") {
-            base.mirror = parse_color(value);
+        if (shading::Exponent* exponent = exponent_named(key, base)) {
+            *exponent = parse_exponent(key, value);
+        } else if (glm::vec3* color = color_named(key, base)) {
+            *color = parse_color(value);
         } else if (key == "opacity") {
-            base.opacity = static_cast<float>(parse_number(value, "material opacity"));
-            if (!(base.opacity >= 0.0f && base.opacity <= 1.0f))
-                refuse("material opacity", value, "a number from 0 to 1");
+            base.opacity = parse_opacity(value);
         } else {
-            refuse("material", word, "ka=…, kd=…, ks=…, n=…, mirror=… or opacity=…");
+            refuse("material", word, material_words);
         }
+        has_ambient = has_ambient || key == "ka";
+        if (key == "kd" && !has_ambient) base.ambient = base.diffuse;
     }
     return base;
+}
+
+std::string metal_names() {
+    std::string names;
+    for (const shading::Metal& metal : shading::metals())
+        names += (names.empty() ? "" : ", ") + std::string(metal.name);
+    return names;
+}
+
+const shading::Metal& parse_metal(std::string_view text) {
+    const auto found = std::ranges::find(shading::metals(), text, &shading::Metal::name);
+    if (found == shading::metals().end()) refuse("metal", text, "one of " + metal_names());
+    return *found;
 }
 
 }  // namespace scanlight::apps

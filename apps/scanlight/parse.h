@@ -10,6 +10,7 @@
 #include "render/framing.h"
 #include "shading/falloff.h"
 #include "shading/material.h"
+#include "shading/metals.h"
 
 namespace scanlight::apps {
 
@@ -42,8 +43,14 @@ struct LightOption {
 /// "[camera:|world:|point:]x,y,z[,#colour][,constant|inverse|inverse-square|inverse-plus-k]"
 LightOption parse_light(std::string_view text);
 
-/// "ka=COLOUR kd=COLOUR ks=COLOUR n=NUMBER", any of them, over what `base` says. `kd` alone gives
-/// `ka` the same colour.
+/// "ka=COLOUR kd=COLOUR ks=COLOUR n=NUMBER kdt=COLOUR kt=COLOUR nt=NUMBER", any of them, over what
+/// `base` says. `kd` alone gives `ka` the same colour.
 shading::Material<float> parse_material(std::string_view text, shading::Material<float> base);
+
+/// What they are called, with commas between.
+std::string metal_names();
+
+/// One of `shading::metals()` by its name.
+const shading::Metal& parse_metal(std::string_view text);
 
 }  // namespace scanlight::apps

@@ -144,6 +144,8 @@ Picture shown(const render::Scene& scene, const SceneOptions& options, const Mea
             return shaded(scene, options, means, wanted);
         case Show::stencil:
             return stencil_picture(scene, options);
+        case Show::fresnel:
+            return by_textbook(render::draw_fresnel(scene, options.settings, options.size));
         case Show::details:
             return with_details(shaded(scene, options, means, {Samples::floats, true}), scene,
                                 options);

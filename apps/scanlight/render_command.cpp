@@ -268,6 +268,10 @@ void add_render_command(CLI::App& program) {
         "--shadow-pcf "
         "5\n"
         "  scanlight render teapot -o t.png --floor --shadows polygons --show details\n"
+        "  scanlight render teapot -o t.png --illumination cook-torrance --metal gold --roughness "
+        "0.3\n"
+        "  scanlight render sphere -o s.png --illumination hall --material \"kdt=0.6\" --light "
+        "0,0,-1\n"
         "  scanlight render part.stl -o - --background none --format png > part.png\n"
         "  scanlight render cow.obj -o cow.png --aov depth:z.png --aov normal:n.pfm --stats json");
     command->callback([options] { render(*options); });

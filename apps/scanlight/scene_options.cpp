@@ -1,34 +1,16 @@
 #include "apps/scanlight/scene_options.h"
 
 #include <CLI/CLI.hpp>
-#include <sstream>
 #include <vector>
 
 #include "apps/scanlight/choice_option.h"
 #include "apps/scanlight/help_heading.h"
+#include "apps/scanlight/text_option.h"
 #include "apps/scanlight/usage_error.h"
 
 namespace scanlight::apps {
 
 namespace {
-
-/// A number from `low` to `high`. CLI::Range would let NaN pass.
-CLI::Validator within(double low, double high) {
-    std::ostringstream range;
-    range << "from " << low << " to " << high;
-    const auto check = [low, high, expected = range.str()](const std::string& text) {
-        const double number = parse_number(text, "value");
-        return number >= low && number <= high ? "" : "'" + text + "': expected " + expected;
-    };
-    return CLI::Validator(check, range.str());
-}
-
-/// An option whose text `use` turns into a value.
-template <class Use>
-CLI::Option* add_text(CLI::App& app, const std::string& name, const std::string& type,
-                      const std::string& help, Use use) {
-    return app.add_option_function<std::string>(name, use, help)->type_name(type);
-}
 
 void add_picture_options(CLI::App& app, SceneOptions& o) {
     const HelpHeading heading(app, "Picture");
@@ -37,8 +19,10 @@ void add_picture_options(CLI::App& app, SceneOptions& o) {
     })->default_str(std::to_string(o.size.width) + "x" + std::to_string(o.size.height));
     add_choice(app, "--shading", o.settings.shading,
                "one intensity a polygon, intensities interpolated, or normals");
-    add_choice(app, "--illumination", o.settings.illumination,
-               "the illumination model: (R.V)^n for phong, (N.H)^n for blinn");
+    add_choice(
+        app, "--illumination", o.settings.illumination,
+        "the illumination model: (R.V)^n for phong, (N.H)^n for blinn, and for hall, who adds\n"
+        "light from behind; microfacets for cook-torrance");
     add_choice(app, "--interpolation", o.polygons,
                "n-gons by the textbook's bilinear rule, or cut into triangles first");
     add_choice(app, "--perspective", o.settings.perspective,
@@ -97,13 +81,14 @@ void add_mesh_options(CLI::App& app, SceneOptions& o) {
         ->type_name("DEG")
         ->check(within(0.0, 180.0))
         ->capture_default_str();
-    add_text(app, "--material", "\"kd=C ks=C n=N\"",
-             "the surface, instead of the file's: ka, kd, ks, mirror (colours), n (exponent),\n"
-             "opacity (0 to 1); any of them",
-             [&o](const std::string& text) {
-                 parse_material(text, {});  // what is wrong with it is said at once
-                 o.material = text;
-             });
+    add_text(
+        app, "--material", "\"kd=C ks=C n=N\"",
+        "the surface, instead of the file's: ka, kd, ks, mirror (colours), n (exponent), opacity\n"
+        "(0 to 1), and for hall kdt, kt, nt, the same of light from behind; any of them",
+        [&o](const std::string& text) {
+            parse_material(text, {});  // what is wrong with it is said at once
+            o.material = text;
+        });
     app.add_option_function<std::vector<std::string>>(
            "--texture",
            [&o](const std::vector<std::string>& texts) {
@@ -119,6 +104,19 @@ void add_mesh_options(CLI::App& app, SceneOptions& o) {
            "high=COLOUR, filter=nearest|bilinear|trilinear, wrap=repeat|clamp|mirror, height=N")
         ->type_name("\"SLOT=KIND …\"")
         ->allow_extra_args(false);
+}
+
+/// What the chosen model does not know is refused.
+void check_model(const SceneOptions& o, const std::vector<ModelOption>& options) {
+    using enum shading::Illumination;
+    const auto chosen = o.settings.illumination;
+    for (const ModelOption& given : options) {
+        if (given.option->count() > 0)
+            require_model(given.option->get_name(), chosen, given.models);
+    }
+    if (o.show == Show::fresnel) require_model("--show fresnel", chosen, {cook_torrance});
+    if (!shading::is_opaque(parse_material(o.material, {}).transmission))
+        require_model("material kdt and kt", chosen, {hall});
 }
 
 void add_camera_options(CLI::App& app, SceneOptions& o) {
@@ -226,6 +224,8 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
     add_picture_options(app, options);
     add_shadow_options(app, options);
     add_mesh_options(app, options);
+    const auto of_models = add_facet_options(app, options.facets);
+    app.parse_complete_callback([&options, of_models] { check_model(options, of_models); });
     add_camera_options(app, options);
     add_light_options(app, options);
 }
@@ -241,10 +241,10 @@ void add_canvas_options(CLI::App& app, SceneOptions& o) {
                      o.background = parse_color(text);
                  }
              });
-    add_choice(
-        app, "--show", o.show,
-        "the light; in how many shadow volumes each surface lies, as a heat map; or over the\n"
-        "light the outlines of lit parts (--shadows polygons), a colour a light");
+    add_choice(app, "--show", o.show,
+               "the light; in how many shadow volumes each surface lies, as a heat map; over the\n"
+               "light the outlines of lit parts (--shadows polygons), a colour a light; or what a\n"
+               "smooth surface would mirror of the light, by Fresnel's equations");
     app.add_flag("--floor", o.floor, "a white floor beneath the mesh, four times as wide");
     app.add_flag(
         "--wireframe{all}", o.wireframe_word,

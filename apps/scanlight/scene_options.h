@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/scanlight/facet_options.h"
 #include "apps/scanlight/parse.h"
 #include "apps/scanlight/texture_option.h"
 #include "mesh/build.h"
@@ -23,7 +24,7 @@ enum class Polygons { bilinear, triangulated };
 enum class Wireframe { none, all, hidden, over };
 
 /// What the colours of a picture mean.
-enum class Show { light, stencil, details };
+enum class Show { light, stencil, details, fresnel };
 
 /// All that says what a picture shows, apart from the file it goes to. One table of options serves
 /// `render`, `steps` and the figures.
@@ -51,6 +52,7 @@ struct SceneOptions {
     std::string environment;  // an image file; "": none
     shading::EnvironmentLayout environment_layout = shading::EnvironmentLayout::latitudes;
     bool environment_light = false;
+    FacetOptions facets;
     bool floor = false;
     std::optional<glm::vec3> background{glm::vec3(0.807f, 0.831f, 0.871f)};  // none: transparent
 };

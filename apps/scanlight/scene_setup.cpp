@@ -53,7 +53,7 @@ std::vector<shading::Material<float>> materials_of(const mesh::Mesh& mesh,
     auto materials = render::shading_materials(mesh.materials);
     if (!has_own_materials(mesh)) materials.front() = plain_material(options);
     for (auto& material : materials)
-        material = parse_material(options.material, material);
+        material = parse_material(options.material, with_facets(material, options.facets));
     return materials;
 }
 

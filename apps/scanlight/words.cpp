@@ -9,7 +9,23 @@ Words<render::Shading> words_beside(render::Shading) {
 
 Words<shading::Illumination> words_beside(shading::Illumination) {
     using enum shading::Illumination;
-    return {{"lambert", lambert}, {"gouraud71", gouraud71}, {"phong", phong}, {"blinn", blinn}};
+    return {{"lambert", lambert}, {"gouraud71", gouraud71}, {"phong", phong},
+            {"blinn", blinn},     {"hall", hall},           {"cook-torrance", cook_torrance}};
+}
+
+Words<shading::FacetDistribution> words_beside(shading::FacetDistribution) {
+    using enum shading::FacetDistribution;
+    return {{"beckmann", beckmann}, {"gauss", gauss}, {"cosine", cosine}};
+}
+
+Words<shading::FacetConstant> words_beside(shading::FacetConstant) {
+    using enum shading::FacetConstant;
+    return {{"normalised", normalised}, {"textbook", textbook}};
+}
+
+Words<FresnelForm> words_beside(FresnelForm) {
+    using enum FresnelForm;
+    return {{"exact", exact}, {"fast", fast}};
 }
 
 Words<Polygons> words_beside(Polygons) {
@@ -49,7 +65,7 @@ Words<shading::EnvironmentLayout> words_beside(shading::EnvironmentLayout) {
 }
 Words<Show> words_beside(Show) {
     using enum Show;
-    return {{"light", light}, {"stencil", stencil}, {"details", details}};
+    return {{"light", light}, {"stencil", stencil}, {"details", details}, {"fresnel", fresnel}};
 }
 
 Words<mesh::NormalWeight> words_beside(mesh::NormalWeight) {

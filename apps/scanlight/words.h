@@ -18,6 +18,9 @@ using Words = std::vector<std::pair<std::string, Choice>>;
 
 Words<render::Shading> words_beside(render::Shading);
 Words<shading::Illumination> words_beside(shading::Illumination);
+Words<shading::FacetDistribution> words_beside(shading::FacetDistribution);
+Words<shading::FacetConstant> words_beside(shading::FacetConstant);
+Words<FresnelForm> words_beside(FresnelForm);
 Words<Polygons> words_beside(Polygons);
 Words<render::Perspective> words_beside(render::Perspective);
 Words<render::Cull> words_beside(render::Cull);

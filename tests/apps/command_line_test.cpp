@@ -107,6 +107,14 @@ const std::vector<BadValues> bad_values{
     {"--light", {"1,2", "moon:1,2,3", "1,2,3,#12", "1,2,3,cubic"}},
     {"--falloff-k", {"0", "-1", "nan"}},
     {"--gouraud71-k", {"0", "nan"}},
+    {"--illumination cook-torrance --roughness", {"0", "1.1", "nan", "rough"}},
+    {"--illumination cook-torrance --distribution", {"normal", ""}},
+    {"--illumination cook-torrance --constant", {"4"}},
+    {"--illumination cook-torrance --ior", {"0", "-1", "nan", "inf"}},
+    {"--illumination cook-torrance --metal", {"brass", ""}},
+    {"--illumination cook-torrance --reflectance", {"-1", "gold"}},
+    {"--illumination cook-torrance --fresnel", {"slow"}},
+    {"--illumination cook-torrance --specular-share", {"-0.1", "1.1", "nan"}},
     {"--ambient", {"-1", "1e300", "#12345", "nan"}},
     {"--background", {"clear", "#xyz"}},
     {"--shadows", {"volumes", "", "Map"}},
@@ -127,6 +135,29 @@ TEST(Mistakes, InAnOptionOfTheSceneLeaveNoOutput) {
         }
     }
     EXPECT_EQ(shell.file_count(), 0u);
+}
+
+TEST(Mistakes, OfOptionsThatTheModelDoesNotKnowNameTheOneThatDoes) {
+    const Shell shell;
+    const auto expect_named = [&](const std::string& options, const std::string& model) {
+        const std::string line = "scanlight render cube -s 8x8 -o out.png " + options;
+        expect_refused(shell, line);
+        EXPECT_NE(shell.run(line).err.find("--illumination " + model), std::string::npos) << line;
+    };
+    for (const std::string option :
+         {"--roughness 0.3", "--distribution gauss", "--constant textbook", "--ior 1.4",
+          "--metal gold", "--reflectance 0.9", "--fresnel fast", "--specular-share 0.5",
+          "--show fresnel"}) {
+        expect_named(option, "cook-torrance");
+        expect_named(option + " --illumination blinn", "cook-torrance");
+    }
+    for (const auto* material : {"kdt=0.5", "kt=0.5 nt=3", "kd=0.1 kdt=#fff"})
+        expect_named(std::string("--material '") + material + "'", "hall");
+    expect_refused(shell, "scanlight steps cube --roughness 0.3");
+    for (const auto* two : {"--ior 1.4 --metal gold", "--metal gold --reflectance 0.9"})
+        expect_refused(shell, std::string("scanlight render cube -o out.png "
+                                          "--illumination cook-torrance ") +
+                                  two);
 }
 
 TEST(Mistakes, InAnOptionOfStepsLeaveNoOutput) {

@@ -154,7 +154,7 @@ TEST(ParseLight, RefusesTheRest) {
 }
 
 shading::Material<float> base_material() {
-    return {glm::vec3(0.1f), glm::vec3(0.2f), glm::vec3(0.3f), 7.0};
+    return {glm::vec3(0.1f), glm::vec3(0.2f), glm::vec3(0.3f), 7.0, {}, {}};
 }
 
 TEST(ParseMaterial, ChangesOnlyWhatItNames) {
@@ -175,10 +175,24 @@ TEST(ParseMaterial, DiffuseAloneIsTheAmbientColorToo) {
     }
 }
 
+TEST(ParseMaterial, KnowsWhatComesThrough) {
+    const auto material = parse_material("kdt=0.5 kt=0.1,0.2,0.3 nt=9", base_material());
+    EXPECT_EQ(material.transmission.diffuse, glm::vec3(0.5f));
+    EXPECT_EQ(material.transmission.specular, glm::vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(material.transmission.exponent.value(), 9.0);
+    EXPECT_EQ(material.diffuse, glm::vec3(0.2f));
+    EXPECT_EQ(material.exponent.value(), 7.0);
+}
+
+TEST(ParseMetal, FindsItByItsName) {
+    EXPECT_EQ(parse_metal("gold").name, "gold");
+    expect_refused([](const auto& text) { parse_metal(text); }, {"", "Gold", "gold ", "brass"});
+}
+
 TEST(ParseMaterial, RefusesTheRest) {
     expect_refused([](const auto& text) { parse_material(text, base_material()); },
                    {"kd", "kd=", "=1", "kd=red", "n=x", "n=", "n=nan", "shine=3", "kd=0.5=0.5",
-                    "kd=0.5,ks=0.5", "kd = 0.5", "kd=-1"});
+                    "kd=0.5,ks=0.5", "kd = 0.5", "kd=-1", "nt=-1", "kdt=blue", "kst=1"});
 }
 
 TEST(ParseScene, IsTheCommandLineOfRender) {

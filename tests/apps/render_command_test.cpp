@@ -222,6 +222,8 @@ TEST(Render, EachChoiceChangesThePicture) {
                                "--illumination lambert",
                                "--illumination blinn",
                                "--illumination gouraud71",
+                               "--illumination hall",
+                               "--illumination cook-torrance",
                                "--interpolation triangulated --shading gouraud",
                                "--perspective affine",
                                "--cull front",
@@ -264,6 +266,28 @@ TEST(Render, DetailsAreOutlinedInFilesOfFloatsToo) {
     expect_shape(load<ImageF>(shell, "d.pfm"), 24, 16, 3);
 }
 
+/// Each of the options, beside those that choose the model.
+void expect_changes(const std::string& model, const std::vector<std::string>& options) {
+    const Shell shell;
+    const std::string line =
+        "scanlight render torus:10,6 -q -s 48x36 --light 1,1,-1 --light 0,1,1 " + model + " -o ";
+    run(shell, line + "plain.png");
+    for (const std::string& option : options) {
+        run(shell, line + "other.png " + option);
+        EXPECT_EQ(shell.run("scanlight diff plain.png other.png").status, 1) << option;
+    }
+}
+
+TEST(Render, EachChoiceOfAModelChangesThePicture) {
+    expect_changes("--illumination cook-torrance",
+                   {"--roughness 0.4", "--distribution gauss", "--distribution cosine",
+                    "--constant textbook", "--ior 1.2", "--metal copper", "--reflectance 0.9",
+                    "--specular-share 0.9", "--show fresnel"});
+    expect_changes("--illumination cook-torrance --metal gold", {"--fresnel fast"});
+    expect_changes("--illumination hall", {"--material 'kdt=0.5'", "--material 'kt=0.5 nt=9'"});
+    expect_changes("--illumination hall --material 'kt=0.5 nt=4'", {"--ior 1.3"});
+}
+
 TEST(Render, TheShapesFirstSideIsTheOnlyOneLit) {
     const Shell shell;
     const std::string line = "scanlight render plane:2 --view 30,-40 -q -s 24x16 -o ";
@@ -304,6 +328,9 @@ TEST(Paths, DrawTheSameFiles) {
           "torus:10,6 --shading gouraud --sides one --view 30,-40",
           "cube --shading gouraud --interpolation triangulated --perspective affine",
           "plane:2 --eye 0,0.3,0.4 --target 0,0,0 --illumination blinn --light point:0,0.4,0",
+          "sphere:9,5 --illumination cook-torrance --metal gold --distribution gauss",
+          "sphere:9,5 --illumination cook-torrance --shading gouraud --show fresnel",
+          "torus:9,5 --illumination hall --material 'kdt=0.5 kt=0.3 nt=9' --light 0,1,-1",
           "sphere:9,5 --illumination gouraud71 --shading gouraud --distances infinite",
           "teapot:3 --floor --shadows map", "cube --floor --shadows map --shadow-pcf 3",
           "cube --floor --shadows polygons --show details", "teapot:3 --floor --shadows polygons",

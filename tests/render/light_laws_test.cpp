@@ -22,14 +22,17 @@ Picture picture_under(Scene scene, const std::vector<shading::Light<float>>& lig
 // C12.1.2-MULTI
 TEST(LightLaws, TwoLightsAddUp) {
     const auto mesh = shape_mesh("torus:10,6");
-    const Scene scene = scene_of(mesh, {{30.0, 40.0}, size});
+    Scene scene = scene_of(mesh, {{30.0, 40.0}, size});
+    scene.objects.front().materials.front().facets.share = 0.5;
+    scene.objects.front().materials.front().transmission.diffuse = glm::vec3(0.3f);
     const auto a = white_light({1.0f, 2.0f, 3.0f});
     const auto b = shading::point_light<float>({-2.0f, 1.0f, 0.5f}, {0.2f, 0.3f, 0.6f},
                                                {shading::Falloff::inverse, 1.0f});
     for (const Shading shading : all_shadings) {
         for (const auto illumination :
              {shading::Illumination::lambert, shading::Illumination::gouraud71,
-              shading::Illumination::phong, shading::Illumination::blinn}) {
+              shading::Illumination::phong, shading::Illumination::blinn,
+              shading::Illumination::hall, shading::Illumination::cook_torrance}) {
             Settings settings;
             settings.shading = shading;
             settings.illumination = illumination;
@@ -63,6 +66,31 @@ TEST(LightLaws, UnderAmbientLightASphereIsAUniformDisc) {
                 ASSERT_NEAR(color[k], expected[k], 1e-7);
         }
         EXPECT_GT(drawn, 1000u);
+    }
+}
+
+/// A pane with its back to the light.
+Scene pane_before_a_lamp(const mesh::Mesh& pane) {
+    Scene scene = scene_of(pane, {{0.0, 90.0}, size});  // from above
+    scene.lighting = {glm::vec3(0.1f), {white_light({0.1f, -1.0f, 0.2f})}};
+    scene.objects.front().materials.front().transmission = {glm::vec3(0.5f), glm::vec3(0.4f), 50};
+    return scene;
+}
+
+// C12.3.3-HALL
+TEST(LightLaws, ALampBehindAPaneIsSeenByHallOnly) {
+    const auto mesh = shape_mesh("plane:1");
+    const Scene scene = pane_before_a_lamp(mesh);
+    const glm::vec3 ambient = scene.lighting.ambient * plastic().ambient;
+    for (const Shading shading : all_shadings) {
+        Settings settings;
+        settings.shading = shading;
+        settings.illumination = shading::Illumination::blinn;
+        const raster::Rgba dark = draw(scene, settings, size).framebuffer.color.at(32, 24);
+        EXPECT_NEAR(dark.r, ambient.r, 1e-7);
+        settings.illumination = shading::Illumination::hall;
+        const raster::Rgba bright = draw(scene, settings, size).framebuffer.color.at(32, 24);
+        EXPECT_GT(bright.r, ambient.r + 0.9f * 0.4f);
     }
 }
 

@@ -34,6 +34,13 @@ TEST(Materials, IllumBelowTwoHasNoHighlight) {
     }
 }
 
+TEST(Materials, FacetsHaveTheFilesIndexWhereItIsOne) {
+    auto glass = file_material(2);
+    glass.refraction = 1.7f;
+    EXPECT_NEAR(shading_material(glass).facets.reflectance.n.x, 1.7, 1e-6);
+    EXPECT_EQ(shading_material(file_material(2)).facets.reflectance.n.x, 1.5);
+}
+
 TEST(Materials, KeepTheirOrder) {
     auto first = file_material(2);
     first.exponent = 1.0f;

@@ -49,6 +49,20 @@ struct CountExample {
     int zpass, zfail;
 };
 
+/// What lets light through casts no shadow, if the model knows of it.
+TEST(Shadows, AreNotCastByWhatLetsLightThrough) {
+    Scene scene = chapter_scene({10.0, 5.0, 0.0}, {1.5, 0.0, 0.0});  // SVOL.a, in the shadow
+    scene.objects.back().materials.front().transmission.diffuse = glm::vec3(0.5f);
+    for (const Shadows method : {Shadows::zpass, Shadows::zfail}) {
+        EXPECT_EQ(count_at_target(scene, method), 1);
+        Settings settings;
+        settings.illumination = shading::Illumination::hall;
+        settings.shadows = method;
+        const Drawing drawing = draw_depth(scene, settings, {1, 1});
+        EXPECT_EQ(count_shadows(scene, settings, 0, drawing.framebuffer.depth).at(0, 0), 0);
+    }
+}
+
 class ShadowCountOracle : public testing::TestWithParam<CountExample> {};
 
 TEST_P(ShadowCountOracle, Agrees) {

@@ -241,5 +241,41 @@ TEST(Normals, ThatCancelGiveWayToThePolygons) {
     }
 }
 
+/// At each pixel that of the normal and the view that other pictures tell.
+TEST(FresnelPicture, IsThatOfTheNormalsAndTheEye) {
+    const auto mesh = shape_mesh("sphere:24,12");
+    Scene scene = scene_of(mesh, {{30.0, 20.0}, size});
+    const auto gold = shading::metal({0.21, 0.62, 1.38}, {3.272, 2.081, 1.914});
+    scene.objects.front().materials.front().facets.reflectance = gold;
+    scene.background = {0.5f, 0.25f, 0.125f, 1.0f};
+    const Drawing drawing = draw_fresnel(scene, {}, size);
+    const auto normals = draw_normals(scene, {}, size);
+    const Frame frame = frame_of(scene, Distances::finite, size);
+    for_each_pixel(size, [&](int x, int y) {
+        const glm::vec3& N = normals.at(x, y);
+        const raster::Rgba& color = drawing.framebuffer.color.at(x, y);
+        if (N == glm::vec3(0.0f)) {
+            ASSERT_EQ(color, scene.background);
+            return;
+        }
+        const glm::vec3 point = frame.point_at(x, y, drawing.framebuffer.depth.at(x, y));
+        const float cosine = std::max(0.0f, glm::dot(N, frame.view_from(point)));
+        const glm::dvec3 expected = shading::reflectance_at(static_cast<double>(cosine), gold);
+        for (int k = 0; k < 3; ++k)
+            ASSERT_NEAR(color[k], expected[k], 2e-5) << x << ' ' << y;
+    });
+}
+
+TEST(FresnelPicture, OfAGlassSphereIsWeakInTheMiddleAndBrightAtTheRim) {
+    const auto mesh = shape_mesh("sphere:96,48");
+    const Scene scene = scene_of(mesh, {{0.0, 0.0}, size});
+    const auto color = draw_fresnel(scene, {}, size).framebuffer.color;
+    EXPECT_NEAR(color.at(32, 24).r, 0.04, 0.001);
+    float brightest = 0.0f;
+    for (int x = 0; x < size.width; ++x)
+        brightest = std::max(brightest, color.at(x, 24).r);
+    EXPECT_GT(brightest, 0.25f);
+}
+
 }  // namespace
 }  // namespace scanlight::render

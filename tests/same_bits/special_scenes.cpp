@@ -6,6 +6,7 @@
 #include <glm/ext/matrix_transform.hpp>
 
 #include "tests/render/scenes.h"
+#include "tests/same_bits/dressed_shapes.h"
 #include "tests/same_bits/lights.h"
 #include "tests/same_bits/materials.h"
 #include "tests/same_bits/pixel_view.h"
@@ -23,31 +24,6 @@ constexpr Settings gouraud{.shading = Shading::gouraud};
 constexpr Settings phong{};
 
 // ---- what a mesh may carry
-
-TestScene shape_scene(mesh::Mesh mesh, raster::Viewport size, const Settings& settings) {
-    TestScene test{size, settings, {}, {}};
-    const mesh::Mesh& kept = test.keep(std::move(mesh));
-    test.scene = scene_of({{&kept, several_materials(kept.materials.size())}}, {{}, size});
-    test.scene.lighting = lighting(2);
-    return test;
-}
-
-/// Colours by place, so that they change along each edge.
-mesh::Mesh colored_shape(std::string_view shape) {
-    mesh::PolygonSoup soup = mesh::shape(shape);
-    for (const glm::vec3& p : soup.positions)
-        soup.colors.push_back(0.5f + 0.25f * p);
-    return mesh::build(soup).mesh;
-}
-
-/// Face by face one material after the other.
-mesh::Mesh motley_shape(std::string_view shape, std::uint32_t materials) {
-    mesh::PolygonSoup soup = mesh::shape(shape);
-    soup.materials.resize(materials);
-    for (std::uint32_t face = 0; face < soup.face_count(); ++face)
-        soup.face_material.push_back(face % materials);
-    return mesh::build(soup).mesh;
-}
 
 TestScene colored(const Settings& settings) {
     return shape_scene(colored_shape("torus:10,7"), {97, 65}, settings);

@@ -52,6 +52,8 @@ NamedScenes glass_scenes();
 
 /// In the light of an environment.
 NamedScenes room_scenes();
+/// The models that know more of a surface than colours, on surfaces of all kinds.
+NamedScenes model_scenes();
 
 /// All of them.
 NamedScenes all_scenes();
