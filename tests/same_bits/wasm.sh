@@ -12,13 +12,17 @@ within() { # FOLDER COMMAND...: nothing of this machine's environment goes along
 }
 
 install_debian_13() {
-    local packages=emscripten,cmake,ninja-build,libhwy-dev,libglm-dev,libstb-dev,libpng-dev,libdeflate-dev,libgtest-dev
+    local packages=emscripten,cmake,ninja-build,libhwy-dev,libglm-dev,libstb-dev,libpng-dev,libjpeg-dev,libdeflate-dev
+    packages+=,libpolyclipping-dev,libgtest-dev
     rm -rf --one-file-system "$root.part"  # something may be mounted there
-    # Of OpenMesh there must be the source; of the others headers will do.
+    # Of OpenMesh and Clipper there must be the source; of the others headers will do.
     mmdebstrap --quiet --variant=apt --include="$packages" trixie "$root.part" \
         "deb http://deb.debian.org/debian trixie main" "deb-src http://deb.debian.org/debian trixie main" &&
         within "$root.part" bash -euc 'mkdir -p /openmesh; cd /openmesh
-            apt-get update; apt-get source --tar-only openmesh; tar -xf *.orig.tar.* --strip-components=1' &&
+            apt-get update; apt-get source --tar-only openmesh; tar -xf *.orig.tar.* --strip-components=1
+            mkdir -p /clipper; cd /clipper
+            apt-get source --tar-only libpolyclipping; tar -xf *.orig.tar.*
+            find . -path "*/cpp/clipper.cpp" -exec cp {} . \;' &&
         mv "$root.part" "$root"
 }
 

@@ -7,7 +7,8 @@ readonly here=$PWD prefix=/prefix flags=(-O2 -msimd128 -pthread -fexceptions)
 # Not /usr/include itself: it has another C library.
 gather_headers() {
     mkdir -p $prefix/include $prefix/lib/cmake/OpenMesh $prefix/share
-    (cd /usr/include && cp -rs "$PWD"/{hwy,glm,stb,gtest,png*.h,z*.h,libdeflate.h} $prefix/include)
+    (cd /usr/include && cp -rs "$PWD"/{hwy,glm,stb,gtest,polyclipping,png*.h,j*.h,z*.h,libdeflate.h} $prefix/include)
+    cp /usr/include/*-linux-gnu/jconfig.h $prefix/include
     cp -r /usr/share/cmake $prefix/share
 }
 
@@ -19,11 +20,16 @@ build_openmesh() {
     cp "$here/wasm_openmesh.cmake" $prefix/lib/cmake/OpenMesh/OpenMeshConfig.cmake
 }
 
+build_clipper() {
+    em++ "${flags[@]}" -I$prefix/include/polyclipping -c /clipper/clipper.cpp -o /objects/clipper.o
+    emar rcs $prefix/lib/libpolyclipping.a /objects/clipper.o
+}
+
 # The program reads and writes no meshes and no pictures: libraries for those may be empty.
 configure() {
     local library empty=()
     emar rcs $prefix/lib/libempty.a
-    for library in PNG ZLIB LIBDEFLATE GTEST GTEST_MAIN; do
+    for library in PNG JPEG ZLIB LIBDEFLATE GTEST GTEST_MAIN; do
         empty+=("-D${library}_LIBRARY=$prefix/lib/libempty.a")
     done
     # Readers of 32-bit machines get warnings: files may be larger than memory.
@@ -36,6 +42,7 @@ configure() {
 if [[ ! -d $prefix/lib/cmake/OpenMesh ]]; then
     gather_headers
     build_openmesh
+    build_clipper
 fi
 configure
 cmake --build /build --target scanlight-same-bits
