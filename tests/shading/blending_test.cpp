@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <ranges>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -28,8 +27,8 @@ std::vector<Pane> random_panes(Random& random) {
 }
 
 Rgb<double> back_to_front(const std::vector<Pane>& panes, Rgb<double> light) {
-    for (const Pane& pane : std::views::reverse(panes))
-        light = blend(pane.I, light, pane.t);
+    for (auto pane = panes.rbegin(); pane != panes.rend(); ++pane)
+        light = blend(pane->I, light, pane->t);
     return light;
 }
 
