@@ -48,7 +48,8 @@ TEST(LightView, OneFaceOfTheCubeShowsWhateverThereIs) {
     ASSERT_EQ(cameras.size(), 6u);
     Random random(2);
     for (int i = 0; i < 1000; ++i) {
-        const glm::dvec3 from_light = random.between(0.01, 5.0) * random.direction();
+        const double distance = random.between(0.01, 5.0);
+        const glm::dvec3 from_light = distance * random.direction();
         const LightView view(cameras[cube_face(from_light)]);
         const glm::dvec3 place = view.seen(light + from_light);
         EXPECT_TRUE(is_in_picture(place));

@@ -48,7 +48,8 @@ inline RandomScene random_scene(std::uint32_t seed, int most_lights) {
     }
     Camera& camera = result.scene.camera;
     camera.target = random.in_cube(0.5);
-    camera.eye = camera.target + random.between(1.0, 8.0) * random.direction();
+    const double distance = random.between(1.0, 8.0);
+    camera.eye = camera.target + distance * random.direction();
     camera.near = 0.05;
     camera.far = random.below(2) == 0 ? 50.0 : 6.0;  // some things lie beyond
     camera.projection = random.below(4) == 0 ? Projection::orthographic : Projection::perspective;

@@ -82,8 +82,10 @@ glm::vec<components, Number> lane_of(const glm::vec<components, Pair<Number>>& v
 
 glm::dmat4 random_matrix(Random& random) {
     glm::dmat4 m;
-    for (int column = 0; column < 4; ++column)
-        m[column] = glm::dvec4(random.in_cube(3.0), random.between(-3.0, 3.0));
+    for (int column = 0; column < 4; ++column) {
+        const glm::dvec3 linear = random.in_cube(3.0);
+        m[column] = glm::dvec4(linear, random.between(-3.0, 3.0));
+    }
     return m;
 }
 

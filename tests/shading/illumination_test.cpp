@@ -237,7 +237,8 @@ Coplanar coplanar(double theta, double alpha) {
 TEST(Highlight, OfBlinnWithFourTimesTheExponentIsPhongs) {
     Random random(11);
     for (int i = 0; i < trials; ++i) {
-        const auto [N, L, V] = coplanar(random.between(0, 1.2), random.between(-0.3, 0.3));
+        const double theta = random.between(0, 1.2);
+        const auto [N, L, V] = coplanar(theta, random.between(-0.3, 0.3));
         const double n = std::exp2(random.between(4, 10));
         const Vec3<double> H = half_vector(L, V);
         ASSERT_NEAR(std::acos(dot(N, H)), std::acos(dot(reflected(L, N), V)) / 2, 1e-7);

@@ -150,7 +150,7 @@ void expect_gradients(const Mapping& mapping) {
     constexpr double step = 1e-6;
     Random random(3);
     for (int i = 0; i < 1000; ++i) {
-        const V p(random.between(0.2, 1), random.between(0.2, 1), random.between(-1, 1));
+        const V p{random.between(0.2, 1), random.between(0.2, 1), random.between(-1, 1)};
         const TexturePlace<double> place = mapping(p);
         for (int axis = 0; axis < 3; ++axis) {
             V q = p;
@@ -185,7 +185,7 @@ TEST(Noise, IsNothingAtTheLatticeSmoothAndNeitherBiasedNorConstant) {
     double squares = 0;
     constexpr int trials = 20000;
     for (int i = 0; i < trials; ++i) {
-        const V p(random.between(-50, 50), random.between(-50, 50), random.between(-50, 50));
+        const V p{random.between(-50, 50), random.between(-50, 50), random.between(-50, 50)};
         const double value = noise(p);
         sum += value;
         squares += value * value;
@@ -216,11 +216,16 @@ TEST(Bump, BUMP) {
     EXPECT_NEAR(std::acos(cosine) * 180 / pi, 0.7063, 1e-3);
 }
 
+V random_vector(Random& random) {
+    const double length = random.between(0.2, 3);
+    return random.unit_vector() * length;
+}
+
 TEST(Bump, ByTheGradientIsBlinnsForm) {
     Random random(5);
     for (int i = 0; i < 1000; ++i) {
-        const V P_u = random.unit_vector() * random.between(0.2, 3);
-        const V P_v = random.unit_vector() * random.between(0.2, 3);
+        const V P_u = random_vector(random);
+        const V P_v = random_vector(random);
         const V normal = glm::cross(P_u, P_v);
         if (glm::length(normal) < 0.05) continue;
         const V n = glm::normalize(normal);

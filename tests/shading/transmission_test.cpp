@@ -102,7 +102,8 @@ TEST(Hall, OfAnOpaqueBodyIsBlinns) {
         material.transmission = {};
         const Surface<double> surface{random.in_cube(2), random.unit_vector(),
                                       random.unit_vector()};
-        const auto light = directional_light(random.unit_vector(), random.color());
+        const Vec3<double> towards = random.unit_vector();
+        const auto light = directional_light(towards, random.color());
         const Lighting<double> lighting{Rgb<double>(0.1), {light}};
         ASSERT_EQ(illuminate<Hall>(surface, material, lighting),
                   illuminate<Blinn>(surface, material, lighting));
