@@ -37,7 +37,7 @@ command -v mmdebstrap >/dev/null || fail "mmdebstrap is missing; ./dev matrix wa
 mkdir -p "$folder"
 [[ -d $root ]] || echo "Installing Debian 13 with Emscripten in $root: 2.5 GB" >&2
 [[ -d $root ]] || install_debian_13 >"$folder/log" 2>&1 ||
-    { tail -n 20 "$folder/log" >&2; fail "can't be had from Debian's archive: is there a network?"; }
+    { tail -n 20 "$folder/log" >&2; fail "Debian 13 can't be had from the archive: is there a network?"; }
 copy_sources
 within "$root" bash /scanlight/tests/same_bits/wasm_build.sh >"$folder/log" 2>&1 ||
     { tail -n 50 "$folder/log" >&2; fail "can't be built"; }
