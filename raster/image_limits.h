@@ -10,6 +10,10 @@ namespace scanlight::raster {
 inline constexpr std::int64_t max_image_side = 16384;
 inline constexpr std::int64_t max_image_bytes = std::int64_t{256} << 20;
 
+/// Of an image file: room for headers, and for what PNG adds to pixels that don't compress.
+inline constexpr std::size_t max_file_bytes =
+    static_cast<std::size_t>(max_image_bytes) + (std::size_t{16} << 20);
+
 /// What the header of a file declares, before any of it is believed.
 struct DeclaredSize {
     std::int64_t width;

@@ -21,9 +21,6 @@ namespace scanlight::raster {
 
 namespace {
 
-// Room for headers and for what PNG adds to pixels that don't compress.
-constexpr std::size_t max_file_bytes = max_image_bytes + (std::size_t{16} << 20);
-
 [[noreturn]] void fail(const std::string& name, int error) {
     throw ImageError(name + ": cannot be read: " + std::generic_category().message(error));
 }

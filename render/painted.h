@@ -14,7 +14,7 @@ namespace scanlight::render {
 enum class Paint { material, vertices };
 
 /// A material under a vertex colour, which multiplies what has the body's own colour: ambient and
-/// diffuse. The highlights stay.
+/// diffuse. The highlights stay, and so does light of its own.
 template <class Real>
 shading::Material<Real> painted(const shading::Material<float>& material,
                                 const shading::Rgb<Real>& color) {
@@ -25,7 +25,10 @@ shading::Material<Real> painted(const shading::Material<float>& material,
             Rgb<Real>(material.specular),
             material.exponent,
             {Rgb<Real>(diffuse) * color, Rgb<Real>(specular), exponent, eta},
-            material.facets};
+            material.facets,
+            material.opacity,
+            Rgb<Real>(material.mirror),
+            Rgb<Real>(material.emission)};
 }
 
 /// What is lit at a place: the material, painted by `color()` if vertices bring colours.

@@ -19,8 +19,9 @@ PlacedTextures placed(const shading::SurfaceTextures& textures,
         return slot;
     };
     return {place(textures.ambient),  place(textures.diffuse), place(textures.specular),
-            place(textures.exponent), place(textures.opacity), place(textures.bump),
-            place(textures.normal),   textures.bump_height,    textures.normal_scale};
+            place(textures.exponent), place(textures.opacity), place(textures.emission),
+            place(textures.bump),     place(textures.normal),  textures.bump_height,
+            textures.normal_scale};
 }
 
 }  // namespace

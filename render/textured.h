@@ -53,7 +53,7 @@ inline bool is_textured(const Object& object, const Frame& frame) {
 /// The textures of a material, on an object.
 struct PlacedTextures {
     using Slot = std::optional<shading::PlacedTexture>;
-    Slot ambient, diffuse, specular, exponent, opacity, bump, normal;
+    Slot ambient, diffuse, specular, exponent, opacity, emission, bump, normal;
     float bump_height, normal_scale;
 };
 
@@ -144,6 +144,7 @@ shading::Material<Real> textured(const shading::Material<float>& material,
             shading::Rgb<Real>(material.ambient) * (s.color * color_on(textures.ambient, s.site));
     }
     result.specular = result.specular * color_on(textures.specular, s.site);
+    result.emission = result.emission * color_on(textures.emission, s.site);
     return result;
 }
 
@@ -166,7 +167,8 @@ shading::Material<Real, shading::VaryingExponent<Real>> with_exponent(
     const Real most(0x1p24f);
     using shading::select;
     return {material.ambient,      material.diffuse, material.specular, {select(n < most, n, most)},
-            material.transmission, material.facets};
+            material.transmission, material.facets,  material.opacity,  material.mirror,
+            material.emission};
 }
 
 /// What the surface sends without any light source: the ambient term, and what the environment

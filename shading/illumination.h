@@ -17,7 +17,8 @@
 namespace scanlight::shading {
 
 // The simple illumination models, in colour:
-//     I = I_a K_a + sum over the lights of I_p [K_d diffuse + K_s highlight]
+//     I = I_e + I_a K_a + sum over the lights of I_p [K_d diffuse + K_s highlight]
+// where I_e is the surface's own light.
 // A model is a function object that gives one light's part of the sum, so that the compiler builds
 // each model's loop of its own and none asks per pixel which it is. A new model is a new struct
 // here and a new case in `with_illumination`.
@@ -116,11 +117,12 @@ struct Lighting {
     std::vector<Light<Number>> lights;
 };
 
-/// What a surface sends without any light source: the ambient term.
+/// What a surface sends without any light source: its own light, and the ambient term.
 template <class Real, class Number, class Power, class LightNumber>
 Rgb<Real> unlit(const Material<Number, Power>& material,
                 const Lighting<LightNumber>& lighting) noexcept {
-    return ambient(Rgb<Real>(lighting.ambient), Rgb<Real>(material.ambient));
+    return Rgb<Real>(material.emission) +
+           ambient(Rgb<Real>(lighting.ambient), Rgb<Real>(material.ambient));
 }
 
 /// The light that `surface` sends to its viewer: `intensity`, then each light in the order of the
@@ -139,7 +141,7 @@ Rgb<Real> with_lights(Rgb<Real> intensity, const Model& model, const Surface<Rea
     return intensity;
 }
 
-/// The light that `surface` sends to its viewer: the ambient term and all lights.
+/// The light that `surface` sends to its viewer: its own, the ambient term, and all lights.
 template <class Model, class Real, class Number, class Power, class LightNumber, class Arriving>
 Rgb<Real> illuminate(const Model& model, const Surface<Real>& surface,
                      const Material<Number, Power>& material, const Lighting<LightNumber>& lighting,

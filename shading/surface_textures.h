@@ -13,18 +13,19 @@ struct SurfaceTextures {
     std::optional<Texture> specular;
     std::optional<Texture> exponent;  // its number multiplies n
     std::optional<Texture> opacity;   // its number multiplies the opacity
-    std::optional<Texture> bump;      // its luminance, a height, moves the normal
-    std::optional<Texture> normal;    // a normal map: 0 to 1 stands for -1 to 1
-    float bump_height = 1;            // of luminance 1, world units
-    float normal_scale = 1;           // of x and y of the normal map
+    std::optional<Texture> emission;
+    std::optional<Texture> bump;    // its luminance, a height, moves the normal
+    std::optional<Texture> normal;  // a normal map: 0 to 1 stands for -1 to 1
+    float bump_height = 1;          // of luminance 1, world units
+    float normal_scale = 1;         // of x and y of the normal map
 
     bool any() const {
-        return ambient || diffuse || specular || exponent || opacity || bump || normal;
+        return ambient || diffuse || specular || exponent || opacity || emission || bump || normal;
     }
     bool needs_uv() const {
         const auto needs = [](const std::optional<Texture>& t) { return t && t->needs_uv(); };
         return needs(ambient) || needs(diffuse) || needs(specular) || needs(exponent) ||
-               needs(opacity) || needs(bump) || needs(normal);
+               needs(opacity) || needs(emission) || needs(bump) || needs(normal);
     }
 };
 

@@ -8,6 +8,8 @@
 #include "apps/scanlight/model.h"
 #include "apps/scanlight/print_data.h"
 #include "mesh/bounds.h"
+#include "mesh/mtl_text.h"
+#include "raster/save_file.h"
 
 namespace scanlight::apps {
 
@@ -16,6 +18,7 @@ namespace {
 struct InfoOptions {
     std::string input;
     bool json = false;
+    std::string mtl;  // where the materials go
 };
 
 /// A corner of a bounding box: floats of the file.
@@ -100,7 +103,10 @@ std::string lines_of(const Json& json) {
 }
 
 void info(const InfoOptions& options) {
-    const Json json = json_of(load_model(options.input, {}));
+    const Model model = load_model(options.input, {});
+    if (!options.mtl.empty()) raster::save_file(options.mtl, mesh::mtl_text(model.mesh.materials));
+    if (options.mtl == "-") return;
+    const Json json = json_of(model);
     print_data(options.json ? json_text(json) : lines_of(json));
 }
 
@@ -114,7 +120,14 @@ void add_info_command(CLI::App& program) {
         ->required()
         ->type_name("IN");
     command->add_flag("--json", options->json, "as JSON");
-    command->footer("Examples:\n  scanlight info bunny.obj\n  scanlight info part.stl --json");
+    command
+        ->add_option("--mtl", options->mtl,
+                     "the mesh's materials as one MTL file, in full and in order; - writes them to "
+                     "standard\noutput, and nothing else")
+        ->type_name("FILE");
+    command->footer(
+        "Examples:\n  scanlight info bunny.obj\n  scanlight info part.stl --json\n"
+        "  scanlight info car.obj --mtl car-in-order.mtl");
     command->callback([options] { info(*options); });
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/build.h"
+#include "shading/surface_textures.h"
 
 namespace scanlight::apps {
 
@@ -12,7 +13,8 @@ namespace scanlight::apps {
 struct Model {
     std::string name;  // as given
     mesh::Mesh mesh;
-    std::optional<mesh::Mesh> floor;  // beneath it
+    std::optional<mesh::Mesh> floor;                 // beneath it
+    std::vector<shading::SurfaceTextures> textures;  // its materials' own; empty if there are none
     mesh::BuildReport report;
     std::vector<std::string> warnings;  // the reader's, and of normals that are missing
     double load_seconds = 0.0;

@@ -95,7 +95,8 @@ void add_mesh_options(CLI::App& app, SceneOptions& o) {
                for (const auto& text : texts)
                    o.textures.push_back(parse_texture(text));
            },
-           "what changes over the surface, repeatable. SLOT: diffuse, specular, ambient, "
+           "what changes over the surface, repeatable, instead of the file's. SLOT: diffuse, "
+           "specular, ambient, "
            "exponent,\n"
            "exponent, bump, normal. KIND: image:PATH, checker, stripes, gradient, waves, and in "
            "space wood,\n"
@@ -104,6 +105,8 @@ void add_mesh_options(CLI::App& app, SceneOptions& o) {
            "high=COLOUR, filter=nearest|bilinear|trilinear, wrap=repeat|clamp|mirror, height=N")
         ->type_name("\"SLOT=KIND …\"")
         ->allow_extra_args(false);
+    app.add_flag("--no-textures{false}", o.own_textures,
+                 "leave out the textures that the mesh's own materials name");
 }
 
 /// What the chosen model does not know is refused.

@@ -49,7 +49,8 @@ struct SceneOptions {
     glm::vec3 ambient{0.15f};
     std::string material;
     std::vector<TextureOption> textures;
-    std::string environment;  // an image file; "": none
+    bool own_textures = true;  // those of the mesh's materials
+    std::string environment;   // an image file; "": none
     shading::EnvironmentLayout environment_layout = shading::EnvironmentLayout::latitudes;
     bool environment_light = false;
     FacetOptions facets;

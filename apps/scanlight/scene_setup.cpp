@@ -6,11 +6,13 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "apps/scanlight/model_textures.h"
 #include "apps/scanlight/usage_error.h"
 #include "mesh/bounds.h"
 #include "mesh/triangulate.h"
 #include "raster/load_image.h"
 #include "render/framing.h"
+#include "render/material_textures.h"
 #include "render/materials.h"
 #include "render/room.h"
 #include "render/texture_image.h"
@@ -121,6 +123,17 @@ shading::Lighting<float> lighting_of(const render::Camera& camera, const SceneOp
     return lighting;
 }
 
+/// The materials' own, and over them those of the options.
+std::vector<shading::SurfaceTextures> textures_on(const Model& model, const SceneOptions& options) {
+    std::vector<shading::SurfaceTextures> textures = model.textures;
+    if (options.textures.empty()) return textures;
+    textures.resize(model.mesh.materials.size());
+    const auto given = textures_of(options.textures, mesh::bounding_box(model.mesh));
+    for (auto& own : textures)
+        own = laid_over(own, given);
+    return textures;
+}
+
 /// A picture's axes: y is up in the world, and a mirror ball is seen by the camera.
 glm::mat3 environment_axes(const SceneOptions& options, const render::Camera& camera) {
     if (options.environment_layout == shading::EnvironmentLayout::sphere)
@@ -154,16 +167,16 @@ Model load_model(const SceneOptions& options) {
     Model model = load_model(options.input, options.normals);
     if (options.polygons == Polygons::triangulated) model.mesh = mesh::triangulated(model.mesh);
     if (options.floor) model.floor = floor_beneath(model.mesh);
+    for (const auto& left_out : render::approximations(model.mesh.materials))
+        model.warnings.push_back(model.name + ": " + left_out);
+    if (options.own_textures) load_textures(model, options.settings.shading);
     return model;
 }
 
 render::Scene scene_of(const Model& model, const SceneOptions& options) {
     render::Scene scene;
     scene.objects.push_back({&model.mesh, materials_of(model.mesh, options)});
-    if (!options.textures.empty()) {
-        const auto textures = textures_of(options.textures, mesh::bounding_box(model.mesh));
-        scene.objects.front().textures.assign(model.mesh.materials.size(), textures);
-    }
+    scene.objects.front().textures = textures_on(model, options);
     scene.camera = camera_of(scene.objects, options);
     if (model.floor) {
         scene.objects.push_back({&*model.floor, {white()}});

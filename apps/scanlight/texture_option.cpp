@@ -208,4 +208,17 @@ shading::SurfaceTextures textures_of(const std::vector<TextureOption>& options,
     return textures;
 }
 
+shading::SurfaceTextures laid_over(shading::SurfaceTextures below,
+                                   const shading::SurfaceTextures& above) {
+    using Textures = shading::SurfaceTextures;
+    for (const auto slot :
+         {&Textures::ambient, &Textures::diffuse, &Textures::specular, &Textures::exponent,
+          &Textures::opacity, &Textures::emission, &Textures::bump, &Textures::normal}) {
+        if (above.*slot) below.*slot = above.*slot;
+    }
+    if (above.bump) below.bump_height = above.bump_height;
+    if (above.normal) below.normal_scale = above.normal_scale;
+    return below;
+}
+
 }  // namespace scanlight::apps

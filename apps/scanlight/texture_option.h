@@ -32,4 +32,8 @@ TextureOption parse_texture(std::string_view text);
 shading::SurfaceTextures textures_of(const std::vector<TextureOption>& options,
                                      const mesh::Box& bounds);
 
+/// What `above` has, and of the rest what `below` has.
+shading::SurfaceTextures laid_over(shading::SurfaceTextures below,
+                                   const shading::SurfaceTextures& above);
+
 }  // namespace scanlight::apps

@@ -129,10 +129,23 @@ std::string test_name(const testing::TestParamInfo<Figure>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Figures, Golden, testing::ValuesIn(figures()), test_name);
 
+/// Of files in tests/data, which no page of the gallery can name.
+std::vector<Figure> file_figures() {
+    const std::string crate = "\"" SCANLIGHT_TESTS_DIR "/data/crate.obj\" --view 35,30";
+    return {{"own-textures",
+             "A box whose materials bring textures: planks and stones with their relief, and a "
+             "label laid once. Beside it the same without them.",
+             {crate, crate + " --no-textures"}}};
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, Golden, testing::ValuesIn(file_figures()), test_name);
+
 TEST(Goldens, EachBelongsToAFigure) {
     std::set<std::string> names;
-    for (const Figure& figure : figures())
-        names.insert(figure.name);
+    for (const auto& all : {figures(), file_figures()}) {
+        for (const Figure& figure : all)
+            names.insert(figure.name);
+    }
     for (const auto& entry : fs::directory_iterator(golden_folder())) {
         EXPECT_TRUE(names.contains(entry.path().stem().string())) << entry.path();
     }

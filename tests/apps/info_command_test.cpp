@@ -133,5 +133,24 @@ TEST(Info, ReadsStandardInput) {
     EXPECT_EQ(Json::parse(outcome.out)["faces"], 1);
 }
 
+TEST(Info, WritesMaterialsInOrder) {
+    const Shell shell;
+    shell.write("a.mtl",
+                "newmtl oak\nTr 0.25\nKe 1\nmap_kd -s 2 old wood.png\nmap_Bump -bm 2 b.png\n");
+    shell.write("m.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl oak\nf 1 2 3\n");
+    const std::string expected =
+        "newmtl oak\nKa 0.2 0.2 0.2\nKd 0.8 0.8 0.8\nKs 0 0 0\nKe 1 1 1\nTf 1 1 1\nNs 1\nNi 1\n"
+        "d 0.75\nillum 2\nmap_Kd -s 2 1 1 old wood.png\nbump -bm 2 b.png\n";
+    const Outcome printed = shell.run("scanlight info m.obj --mtl -");
+    EXPECT_EQ(printed.status, 0) << printed.err;
+    EXPECT_EQ(printed.out, expected);
+    const Outcome saved = shell.run("scanlight info m.obj --mtl a.mtl");
+    EXPECT_EQ(saved.status, 0) << saved.err;
+    EXPECT_NE(saved.out.find("faces"), saved.out.npos);
+    EXPECT_EQ(shell.read("a.mtl"), expected);
+    EXPECT_EQ(shell.run("scanlight info m.obj --mtl -").out, expected);
+    EXPECT_EQ(shell.run("scanlight info m.obj --mtl /no/such/folder.mtl").status, 2);
+}
+
 }  // namespace
 }  // namespace scanlight::apps

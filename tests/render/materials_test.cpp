@@ -23,12 +23,34 @@ TEST(Materials, FileNamesBecomeTheModelsLetters) {
     EXPECT_EQ(material.exponent.value(), 42.0);
 }
 
-TEST(Materials, IllumBelowTwoHasNoHighlight) {
-    for (const int illum : {0, 1}) {
-        const auto material = shading_material(file_material(illum));
-        EXPECT_EQ(material.specular, glm::vec3(0.0f));
-        EXPECT_EQ(material.diffuse, glm::vec3(0.4f, 0.5f, 0.6f));
+TEST(Materials, LightOfItsOwnAndOpacity) {
+    auto file = file_material(2);
+    file.emission = {1.0f, 2.0f, 3.0f};
+    for (const auto& [d, opacity] : {std::pair{0.25f, 0.25f}, {-1.0f, 0.0f}, {7.0f, 1.0f}}) {
+        file.opacity = d;
+        EXPECT_EQ(shading_material(file).emission, glm::vec3(1.0f, 2.0f, 3.0f));
+        EXPECT_EQ(shading_material(file).opacity, opacity);
     }
+}
+
+TEST(Materials, IllumZeroIsTheColourWhateverTheLight) {
+    const auto material = shading_material(file_material(0));
+    EXPECT_EQ(material.emission, glm::vec3(0.4f, 0.5f, 0.6f));
+    for (const auto& answer : {material.ambient, material.diffuse, material.specular})
+        EXPECT_EQ(answer, glm::vec3(0.0f));
+}
+
+TEST(Materials, WhatIllumCannotHaveIsSaid) {
+    for (const int illum : {0, 1, 2})
+        EXPECT_EQ(approximation_of(illum), "") << illum;
+    for (int illum = 3; illum <= 10; ++illum)
+        EXPECT_NE(approximation_of(illum), "") << illum;
+}
+
+TEST(Materials, IllumOneHasNoHighlight) {
+    const auto material = shading_material(file_material(1));
+    EXPECT_EQ(material.specular, glm::vec3(0.0f));
+    EXPECT_EQ(material.diffuse, glm::vec3(0.4f, 0.5f, 0.6f));
     for (const int illum : {2, 3, 10}) {
         EXPECT_EQ(shading_material(file_material(illum)).specular, glm::vec3(0.7f, 0.8f, 0.9f));
     }

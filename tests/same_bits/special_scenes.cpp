@@ -32,6 +32,15 @@ TestScene motley(const Settings& settings) {
     return shape_scene(motley_shape("sphere:9,7", 5), {97, 65}, settings);
 }
 
+/// Light of its own, of each material another.
+TestScene glowing(const Settings& settings) {
+    TestScene test = shape_scene(motley_shape("torus:9,7", 4), {97, 65}, settings);
+    auto& materials = test.scene.objects[0].materials;
+    for (std::size_t i = 0; i < materials.size(); ++i)
+        materials[i].emission = glm::vec3(0.1f * static_cast<float>(i), 0.3f, 0.7f);
+    return test;
+}
+
 // ---- objects
 
 /// Three of them, the second mirrored, the third in colours and squeezed flat.
@@ -274,6 +283,7 @@ NamedScenes special_scenes() {
     };
     add(scenes, by_each_shading("colored", colored));
     add(scenes, by_each_shading("motley", motley));
+    add(scenes, by_each_shading("glowing", glowing));
     add(scenes, by_each_shading("several-objects", several_objects));
     add(scenes, by_each_shading("lamp-in-vertex-and-eye", lamps_where_they_should_not_be));
     add(scenes, by_each_shading("from-within", from_within));

@@ -68,6 +68,10 @@ TestScene textured_scene(const std::string& shape, const SurfaceTextures& textur
     object.textures.assign(mesh.materials.size(), textures);
     object.world_from_object[0][0] = 1.2;
     object.world_from_object[3] = glm::dvec4(0.1, -0.1, 0.2, 1.0);
+    if (textures.emission) {
+        for (auto& material : object.materials)
+            material.emission = {0.5f, 0.7f, 0.2f};
+    }
     test.scene.objects.push_back(object);
     test.scene.camera.eye = {1.1, 0.9, 2.0};
     test.scene.camera.magnification = 1.6;
@@ -107,6 +111,8 @@ std::vector<NamedTextures> several_textures() {
     all.back().textures.bump_height = 0.03f;
     add("bump-marble").bump = solid(Pattern::marble, 3.0f);
     add("normal-map").normal = image(Filter::bilinear, Wrap::repeat);
+    add("emission").emission = image(Filter::trilinear, Wrap::clamp);
+    all.back().textures.exponent = pattern(Pattern::waves, Mapping::planar);
     SurfaceTextures& everything = add("everything");
     everything = all[3].textures;
     everything.specular = all[4].textures.diffuse;

@@ -65,6 +65,21 @@ TEST(Illumination, WithoutLightsIsTheAmbientTerm) {
     }
 }
 
+TEST(Illumination, LightOfItsOwnIsAddedToAllOther) {
+    Random random(11);
+    for (int i = 0; i < trials; ++i) {
+        const Illumination kind = every_model[i % 4];
+        const Surface<double> surface = random_surface(random);
+        const Lighting<double> lighting{random.color(), {random_light(random)}};
+        Material<double> material = random_material(random);
+        const Rgb<double> without = illuminate_as(kind, surface, material, lighting);
+        material.emission = random.color();
+        const Rgb<double> with = illuminate_as(kind, surface, material, lighting);
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(with[c], without[c] + material.emission[c], 1e-12 * (1 + with[c]));
+    }
+}
+
 TEST(Illumination, OfTwoLightsIsTheSumOfBothLessOneAmbientTerm) {
     Random random(2);
     for (int i = 0; i < trials; ++i) {
