@@ -28,21 +28,15 @@ decltype(auto) with_attribute_count(int count, Use&& use) {
 template <class Use>
 decltype(auto) with_technique(const PlacedMesh& placed, const Frame& frame,
                               const Settings& settings, Use&& use) {
-    if (settings.shading == Shading::gouraud) {
-        return use(GouraudTechnique(placed, frame, settings));
-    }
-    if (settings.shading == Shading::phong && is_textured(*placed.object, frame)) {
-        return with_model(settings, [&](auto model) {
-            return with_attribute_count(textured_attributes(*placed.object).count(), [&](auto n) {
-                return use(TexturedPhongTechnique<decltype(model), n>(placed, frame, model));
-            });
+    if (settings.shading == Shading::flat) return use(FlatTechnique(placed, frame, settings));
+    if (settings.shading == Shading::gouraud) return use(GouraudTechnique(placed, frame, settings));
+    if (is_textured(*placed.object, frame)) {
+        return with_attribute_count(textured_attributes(*placed.object).count(), [&](auto n) {
+            return use(TexturedPhongTechnique<n>(placed, frame, settings));
         });
     }
     return with_model(settings, [&](auto model) {
         return with_paint(*placed.mesh, [&](auto paint) {
-            if (settings.shading == Shading::flat) {
-                return use(FlatTechnique<decltype(model), paint>(placed, frame, model));
-            }
             return use(PhongTechnique<decltype(model), paint>(placed, frame, model));
         });
     });

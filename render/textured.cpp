@@ -45,4 +45,15 @@ float uv_unit_of(const mesh::Vertices& vertices) {
     return unit_for(largest);
 }
 
+raster::Rgba textured_pixel(const TexturedSurface<float>& surface,
+                            const shading::Material<float>& material,
+                            const PlacedTextures& textures, const Frame& frame,
+                            const Settings& settings) {
+    const auto all = [](std::size_t, const glm::vec3& term) { return term; };
+    const glm::vec3 color = with_model(settings, [&](const auto& model) {
+        return illuminate_textured(model, surface, material, textures, frame, all);
+    });
+    return raster::Rgba(color, opacity_on(material, textures, surface.site));
+}
+
 }  // namespace scanlight::render

@@ -204,4 +204,11 @@ shading::Rgb<Real> illuminate_textured(const Model& model, const TexturedSurface
                        arriving);
 }
 
+/// A pixel of it in all light, by the settings' model. Textures cost so much more than asking which
+/// model it is that this is asked at each pixel.
+raster::Rgba textured_pixel(const TexturedSurface<float>& surface,
+                            const shading::Material<float>& material,
+                            const PlacedTextures& textures, const Frame& frame,
+                            const Settings& settings);
+
 }  // namespace scanlight::render

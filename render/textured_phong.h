@@ -13,7 +13,7 @@
 namespace scanlight::render {
 
 /// Phong shading of a textured object with `count` attributes, see `TexturedAttributes`.
-template <class Model, int count>
+template <int count>
 class TexturedPhongTechnique {
 public:
     static constexpr int attribute_count = count;
@@ -28,10 +28,10 @@ public:
         float outward;
     };
 
-    TexturedPhongTechnique(const PlacedMesh& placed, const Frame& frame, Model model)
+    TexturedPhongTechnique(const PlacedMesh& placed, const Frame& frame, const Settings& settings)
         : placed_(placed),
           frame_(frame),
-          model_(model),
+          settings_(settings),
           textures_(placed_textures(*placed.object)),
           uv_unit_(has.has_uvs ? uv_unit_of(placed.mesh->vertices) : 1.0f),
           gradients_(glm::transpose(glm::inverse(glm::dmat3(placed.object->world_from_object)))) {}
@@ -75,10 +75,7 @@ public:
                                              {point, own_place(a, polygon), steps.x, steps.y},
                                              color(a),
                                              polygon.outward};
-        return raster::Rgba(
-            illuminate_textured(model_, surface, polygon.material, polygon.textures, frame_,
-                                [](std::size_t, const glm::vec3& term) { return term; }),
-            opacity_on(polygon.material, polygon.textures, surface.site));
+        return textured_pixel(surface, polygon.material, polygon.textures, frame_, settings_);
     }
 
 private:
@@ -105,7 +102,7 @@ private:
 
     const PlacedMesh& placed_;
     const Frame& frame_;
-    Model model_;
+    const Settings& settings_;
     std::vector<PlacedTextures> textures_;
     float uv_unit_;
     glm::mat3 gradients_;  // of (u, v): world from object

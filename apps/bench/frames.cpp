@@ -162,8 +162,7 @@ void compare_frames(int repetitions, const std::string& json_path) {
     const auto for_gouraud = settings_for(render::Shading::gouraud);
     const auto for_phong = settings_for(render::Shading::phong);
     const auto flat = prepare(stages, for_flat, [&](const Stage& s) {
-        using Technique = render::FlatTechnique<shading::Phong, render::Paint::material>;
-        return Technique(s.placed(), s.frame(), shading::Phong{});
+        return render::FlatTechnique(s.placed(), s.frame(), for_flat);
     });
     const auto gouraud = prepare(stages, for_gouraud, [&](const Stage& s) {
         return render::GouraudTechnique(s.placed(), s.frame(), for_gouraud);

@@ -1,18 +1,20 @@
 #include "render/lanes/layers.h"
 
 #include "raster/lanes/band_painter.h"
-#include "render/lanes/shade.h"
+#include "raster/lanes/keep.h"
+#include "render/lanes/light_row.h"
 
 namespace scanlight::render::HWY_NAMESPACE {
+
+using namespace raster::HWY_NAMESPACE;
 
 namespace {
 
 /// `KeepAttributes` of what lies behind the layer before.
 template <int count>
-class KeepBehind : public raster::HWY_NAMESPACE::KeepAttributes<count> {
+class KeepBehind : public KeepAttributes<count> {
 public:
-    KeepBehind(std::int32_t first, int before)
-        : raster::HWY_NAMESPACE::KeepAttributes<count>(first), before_(before) {}
+    KeepBehind(std::int32_t first, int before) : KeepAttributes<count>(first), before_(before) {}
 
     /// Of the same depth, what comes later is behind.
     Mask is_behind(Ints z, Ints own, raster::PixelPlace at) const {
@@ -40,14 +42,6 @@ void draw(const ObjectPass& pass, std::span<const raster::FaceItem> items,
     BandPainter<KeepBehind<count>>(pass.polygons, pass.attributes, keep, band, walker).draw(items);
 }
 
-template <class Technique>
-void light_row(const Technique& technique, const ObjectPass& pass, raster::VisibleBand& band,
-               const ShadowBand* shadows, int y, LayerRow& row) {
-    const RowLighter lighter(technique, pass.faces, band, shadows, row.color);
-    lighter.light(y);
-    lighter.find_opacity(y, row.opacity);
-}
-
 }  // namespace
 
 void see_behind(const ObjectPass& pass, std::span<const raster::FaceItem> items,
@@ -70,8 +64,8 @@ void see_behind(const ObjectPass& pass, std::span<const raster::FaceItem> items,
 
 void light_layer_row(const ObjectPass& pass, raster::VisibleBand& band, const ShadowBand* shadows,
                      int y, LayerRow& row) {
-    with_technique(
-        pass, [&](const auto& technique) { light_row(technique, pass, band, shadows, y, row); });
+    light_row(pass, band, shadows, y, row.color);
+    find_row_opacity(pass, band, y, row.opacity);
 }
 
 }  // namespace scanlight::render::HWY_NAMESPACE

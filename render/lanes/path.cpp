@@ -1,9 +1,10 @@
 #include "render/lane_path.h"
 
 #include "raster/lanes/band_painter.h"
+#include "render/lanes/keep_color.h"
 #include "render/lanes/layers.h"
+#include "render/lanes/light_row.h"
 #include "render/lanes/light_vertices.h"
-#include "render/lanes/shade.h"
 #include "render/lanes/store.h"
 #include "render/lanes/vertices.h"
 
@@ -71,26 +72,15 @@ void store_band(raster::VisibleBand& band, const Target& target) {
         store_pixels(band, y, *std::get_if<PackedTarget>(&target));
 }
 
-template <class Technique>
-std::size_t light_rows(const Technique& technique, FaceRange faces, raster::VisibleBand& band,
-                       const ShadowBand* shadows, VectorStreams& row, const Target& target,
-                       Background background) {
-    row.resize(static_cast<std::size_t>(band.width()) + raster::most_lanes);
-    const RowLighter lighter(technique, faces, band, shadows, row);
-    std::size_t pixels = 0;
-    for (int y = band.rows().y_begin; y < band.rows().y_end; ++y) {
-        lighter.light(y);
-        pixels += store_row(row, faces, band, y, target, background);
-    }
-    return pixels;
-}
-
 std::size_t light_band(const ObjectPass& pass, raster::VisibleBand& band, const ShadowBand* shadows,
                        VectorStreams& row, const Target& target, Background background) {
-    const auto light = [&](const auto& technique) {
-        return light_rows(technique, pass.faces, band, shadows, row, target, background);
-    };
-    return with_technique(pass, light);
+    row.resize(static_cast<std::size_t>(band.width()) + raster::most_lanes);
+    std::size_t pixels = 0;
+    for (int y = band.rows().y_begin; y < band.rows().y_end; ++y) {
+        light_row(pass, band, shadows, y, row);
+        pixels += store_row(row, pass.faces, band, y, target, background);
+    }
+    return pixels;
 }
 
 }  // namespace

@@ -3,10 +3,7 @@
 #include <utility>
 
 #include "raster/lanes/attributes.h"
-#include "raster/lanes/keep.h"
 #include "raster/lanes/numbers.h"
-#include "raster/lanes/pack.h"
-#include "render/lanes/store.h"
 #include "render/object_pass.h"
 #include "render/painted.h"
 #include "render/shadow_band.h"
@@ -358,116 +355,5 @@ decltype(auto) with_technique(const ObjectPass& pass, Use&& use) {
         });
     });
 }
-
-// ---- light at once: see raster/lanes/keep.h
-
-/// Pixels keep the colour of the polygon.
-class KeepFlatColor {
-public:
-    static constexpr int attributes = 0;
-    static constexpr int numbers = 1;
-
-    KeepFlatColor(const ObjectPass& pass, raster::Encoding encoding)
-        : technique_(pass), encoding_(encoding) {}
-
-    Ints own(Ints item) const {
-        const ColorLanes color = technique_.color_of(item);
-        return encoding_ == raster::Encoding::srgb
-                   ? pack_lanes<raster::Encoding::srgb>(color.x, color.y, color.z)
-                   : pack_lanes<raster::Encoding::linear>(color.x, color.y, color.z);
-    }
-    Kept<1> of(Ints own, const Ints*) const { return {{own}}; }
-
-private:
-    FlatLanes technique_;
-    raster::Encoding encoding_;
-};
-
-/// Pixels keep the colour that the intensities of the corners come to.
-template <raster::Encoding encoding>
-class KeepGouraudColor {
-public:
-    static constexpr int attributes = GouraudLanes::attributes;
-    static constexpr int numbers = 1;
-
-    explicit KeepGouraudColor(const ObjectPass& pass) : technique_(pass) {}
-
-    Ints own(Ints) const { return Ints(0); }
-    Kept<1> of(Ints, const Ints* a) const {
-        if constexpr (encoding == raster::Encoding::linear) {
-            if (is_undivided(a)) return {{pack_linear_multiples(a, technique_.unit())}};
-        }
-        const ColorLanes color = technique_.color_of(a);
-        return {{pack_lanes<encoding>(color.x, color.y, color.z)}};
-    }
-
-private:
-    GouraudLanes technique_;
-};
-
-// ---- light that waited
-
-/// Lights the pixels of an object by what they keep, row by row.
-template <class Technique>
-class RowLighter {
-public:
-    RowLighter(const Technique& technique, FaceRange faces, raster::VisibleBand& band,
-               const ShadowBand* shadows, VectorStreams& row)
-        : technique_(technique), faces_(faces), band_(band), shadows_(shadows), row_(row) {}
-
-    /// The colours of all pixels of a row that show one of the faces.
-    SCANLIGHT_FLATTEN void light(int y) const {
-        const raster::Columns columns = band_.touched();
-        PixelLanes pixels;
-        for (int x = columns.begin; x < columns.end; x += lane_count) {
-            if (read(x, y, pixels)) write(technique_.shade(pixels), x);
-        }
-    }
-
-    /// The opacity of all those pixels.
-    SCANLIGHT_FLATTEN void find_opacity(int y, std::vector<float>& row) const {
-        const raster::Columns columns = band_.touched();
-        PixelLanes pixels;
-        for (int x = columns.begin; x < columns.end; x += lane_count) {
-            if (read(x, y, pixels)) store(technique_.opacity(pixels), row.data() + x);
-        }
-    }
-
-private:
-    /// False where nothing is shown.
-    bool read(int x, int y, PixelLanes& pixels) const {
-        const raster::PixelPlace at = band_.row(y) + x;
-        const Ints kept = load(at.kept(0));
-        const Ints item = kept - Ints(faces_.first);
-        pixels.shown = lanes_held(faces_, kept);
-        if (!any(pixels.shown)) return false;
-        pixels.x = x;
-        pixels.y = y;
-        pixels.depth = load(at.depth);
-        pixels.shadowed = shadows_ == nullptr ? Ints(0) : load(shadows_->row(y) + x);
-        pixels.item = all(pixels.shown) ? item : with_neighbours(item, pixels.shown);
-        for (int k = 0; k < technique_.attributes; ++k)
-            pixels.attributes[k] = load(at.kept(k + 1));
-        return true;
-    }
-
-    static Ints with_neighbours(Ints item, Mask shown) {
-        std::int32_t items[lane_count];
-        store(item, items);
-        return select(shown, item, Ints(items[std::countr_zero(bits_of(shown))]));
-    }
-
-    void write(const ColorLanes& color, int x) const {
-        store(color.x, row_.x.data() + x);
-        store(color.y, row_.y.data() + x);
-        store(color.z, row_.z.data() + x);
-    }
-
-    const Technique& technique_;
-    FaceRange faces_;
-    raster::VisibleBand& band_;
-    const ShadowBand* shadows_;
-    VectorStreams& row_;
-};
 
 }  // namespace scanlight::render::HWY_NAMESPACE

@@ -1,0 +1,86 @@
+#include "render/lanes/light_row.h"
+
+#include "render/lanes/shade.h"
+#include "render/lanes/store.h"
+
+namespace scanlight::render::HWY_NAMESPACE {
+
+namespace {
+
+/// Lights the pixels of an object by what they keep, row by row.
+template <class Technique>
+class RowLighter {
+public:
+    RowLighter(const Technique& technique, FaceRange faces, raster::VisibleBand& band,
+               const ShadowBand* shadows)
+        : technique_(technique), faces_(faces), band_(band), shadows_(shadows) {}
+
+    SCANLIGHT_FLATTEN void light(int y, VectorStreams& row) const {
+        const raster::Columns columns = band_.touched();
+        PixelLanes pixels;
+        for (int x = columns.begin; x < columns.end; x += lane_count) {
+            if (read(x, y, pixels)) write(technique_.shade(pixels), x, row);
+        }
+    }
+
+    SCANLIGHT_FLATTEN void find_opacity(int y, std::vector<float>& row) const {
+        const raster::Columns columns = band_.touched();
+        PixelLanes pixels;
+        for (int x = columns.begin; x < columns.end; x += lane_count) {
+            if (read(x, y, pixels)) store(technique_.opacity(pixels), row.data() + x);
+        }
+    }
+
+private:
+    /// False where nothing is shown.
+    bool read(int x, int y, PixelLanes& pixels) const {
+        const raster::PixelPlace at = band_.row(y) + x;
+        const Ints kept = load(at.kept(0));
+        const Ints item = kept - Ints(faces_.first);
+        pixels.shown = lanes_held(faces_, kept);
+        if (!any(pixels.shown)) return false;
+        pixels.x = x;
+        pixels.y = y;
+        pixels.depth = load(at.depth);
+        pixels.shadowed = shadows_ == nullptr ? Ints(0) : load(shadows_->row(y) + x);
+        pixels.item = all(pixels.shown) ? item : with_neighbours(item, pixels.shown);
+        for (int k = 0; k < technique_.attributes; ++k)
+            pixels.attributes[k] = load(at.kept(k + 1));
+        return true;
+    }
+
+    static Ints with_neighbours(Ints item, Mask shown) {
+        std::int32_t items[lane_count];
+        store(item, items);
+        return select(shown, item, Ints(items[std::countr_zero(bits_of(shown))]));
+    }
+
+    static void write(const ColorLanes& color, int x, VectorStreams& row) {
+        store(color.x, row.x.data() + x);
+        store(color.y, row.y.data() + x);
+        store(color.z, row.z.data() + x);
+    }
+
+    const Technique& technique_;
+    FaceRange faces_;
+    raster::VisibleBand& band_;
+    const ShadowBand* shadows_;
+};
+
+}  // namespace
+
+void light_row(const ObjectPass& pass, raster::VisibleBand& band, const ShadowBand* shadows, int y,
+               VectorStreams& row) {
+    with_technique(pass, [&](const auto& technique) {
+        RowLighter(technique, pass.faces, band, shadows).light(y, row);
+    });
+}
+
+void find_row_opacity(const ObjectPass& pass, raster::VisibleBand& band, int y,
+                      std::vector<float>& row) {
+    with_technique(pass, [&](const auto& technique) {
+        RowLighter(technique, pass.faces, band, nullptr).find_opacity(y, row);
+    });
+}
+
+}  // namespace scanlight::render::HWY_NAMESPACE
