@@ -19,8 +19,8 @@ Times less(const Times& a, const Times& b) {
 }  // namespace
 
 Outcome contest(render::Renderer& ours, const GlTarget& theirs, const Stage& stage,
-                const render::Settings& settings, int rounds) {
-    Llvmpipe llvmpipe(theirs, stage, settings);
+                const render::Settings& settings, Coat coat, int rounds) {
+    Llvmpipe llvmpipe(theirs, stage, settings, coat);
     raster::Plane<raster::PackedPixel> picture(stage.size(), 0);
     const auto draw_ours = [&] {
         ours.draw(stage.scene(), settings, picture, raster::Encoding::linear);

@@ -16,9 +16,10 @@ struct Outcome {
     Agreement agreement;
 };
 
-/// Compares the pictures, then the times. Where the pictures disagree, there are no times.
+/// The stage wears the coat. Compares the pictures, then the times. Where the pictures disagree,
+/// there are no times.
 Outcome contest(render::Renderer& ours, const GlTarget& theirs, const Stage& stage,
-                const render::Settings& settings, int rounds);
+                const render::Settings& settings, Coat coat, int rounds);
 
 /// The same with shadows: whole frames, and what the shadows alone cost, which is the frame with
 /// them less the frame without.

@@ -43,6 +43,11 @@ GlGeometry vertices_of(const mesh::Mesh& mesh, int attributes) {
     return geometry;
 }
 
+void append_fans(GlGeometry& geometry, const mesh::Mesh& mesh) {
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        append_fan(geometry.corners, mesh.face(f), 0, mesh.face(f)[0]);
+}
+
 /// Gives each polygon a vertex that speaks for it.
 class Speakers {
 public:
@@ -80,8 +85,17 @@ private:
 
 GlGeometry smooth_geometry(const mesh::Mesh& mesh) {
     GlGeometry geometry = vertices_of(mesh, 2);
-    for (std::size_t f = 0; f < mesh.face_count(); ++f)
-        append_fan(geometry.corners, mesh.face(f), 0, mesh.face(f)[0]);
+    append_fans(geometry, mesh);
+    return geometry;
+}
+
+GlGeometry mapped_geometry(const mesh::Mesh& mesh) {
+    GlGeometry geometry = vertices_of(mesh, 3);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        overwrite(std::span(geometry.numbers).subspan(9 * i + 6),
+                  {mesh.vertices.u[i], mesh.vertices.v[i], 0.0f});
+    }
+    append_fans(geometry, mesh);
     return geometry;
 }
 

@@ -6,6 +6,7 @@
 
 #include "apps/peers/gl_geometry.h"
 #include "apps/peers/gl_program.h"
+#include "apps/peers/gl_texture.h"
 #include "render/frame.h"
 
 namespace scanlight::peers {
@@ -42,18 +43,21 @@ void set_depth_test() {
     glDepthFunc(GL_LESS);
 }
 
-GlGeometry geometry_of(const mesh::Mesh& mesh, render::Shading shading) {
+GlGeometry geometry_of(const mesh::Mesh& mesh, render::Shading shading, Coat coat) {
+    if (coat != Coat::none) return mapped_geometry(mesh);
     return shading == render::Shading::flat ? flat_geometry(mesh) : smooth_geometry(mesh);
 }
 
 }  // namespace
 
-Llvmpipe::Llvmpipe(const GlTarget& target, const Stage& stage, const render::Settings& settings)
+Llvmpipe::Llvmpipe(const GlTarget& target, const Stage& stage, const render::Settings& settings,
+                   Coat coat)
     : target_(target),
-      program_(gl_program(settings, stage.scene().objects.front().materials.front(),
+      program_(gl_program(settings, coat, stage.scene().objects.front().materials.front(),
                           render::frame_of(stage.scene(), settings.distances, stage.size()))) {
-    const GlGeometry geometry = geometry_of(stage.mesh(), settings.shading);
+    const GlGeometry geometry = geometry_of(stage.mesh(), settings.shading, coat);
     corners_ = static_cast<GLsizei>(geometry.corners.size());
+    if (coat != Coat::none) texture_ = gl_texture(coat);
     glGenVertexArrays(1, &vertex_array_);
     glBindVertexArray(vertex_array_);
     glGenBuffers(2, buffers_);
@@ -69,6 +73,7 @@ Llvmpipe::Llvmpipe(const GlTarget& target, const Stage& stage, const render::Set
 Llvmpipe::~Llvmpipe() {
     glDeleteBuffers(2, buffers_);
     glDeleteVertexArrays(1, &vertex_array_);
+    glDeleteTextures(1, &texture_);
     glDeleteProgram(program_);
 }
 

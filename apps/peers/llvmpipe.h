@@ -12,7 +12,8 @@ namespace scanlight::peers {
 class Llvmpipe {
 public:
     /// Draws into `target`, which is current.
-    Llvmpipe(const GlTarget& target, const Stage& stage, const render::Settings& settings);
+    Llvmpipe(const GlTarget& target, const Stage& stage, const render::Settings& settings,
+             Coat coat);
     ~Llvmpipe();
     Llvmpipe(const Llvmpipe&) = delete;
     Llvmpipe& operator=(const Llvmpipe&) = delete;
@@ -24,6 +25,7 @@ public:
 private:
     const GlTarget& target_;
     GLuint program_ = 0;
+    GLuint texture_ = 0;
     GLuint vertex_array_ = 0;
     GLuint buffers_[2] = {};  // vertices, corners
     GLsizei corners_ = 0;

@@ -115,7 +115,7 @@ LlvmpipeShadows::LlvmpipeShadows(const GlTarget& target, const ShadowStage& stag
     : target_(target) {
     const auto frame = render::frame_of(stage.scene(), settings.distances, stage.size());
     const auto& material = stage.scene().objects.front().materials.front();
-    lit_.program = gl_program(settings, material, frame);
+    lit_.program = gl_program(settings, Coat::none, material, frame);
     ambient_.program = gl_program(ambient_sources, material, frame);
     volume_.program = gl_program(volume_sources, material, frame);
     const auto upload = [](Batch& batch, const GlGeometry& geometry) {

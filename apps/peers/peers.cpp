@@ -10,6 +10,7 @@
 #include <functional>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -23,9 +24,21 @@ namespace scanlight::peers {
 
 namespace {
 
-const std::map<std::string, render::Shading> shadings{{"flat", render::Shading::flat},
-                                                      {"gouraud", render::Shading::gouraud},
-                                                      {"phong", render::Shading::phong}};
+/// A column of the table: how a mesh is shaded, by which model if not the one asked for, and what
+/// it wears.
+struct Look {
+    render::Shading shading;
+    Coat coat = Coat::none;
+    std::optional<shading::Illumination> illumination = {};
+};
+using render::Shading;
+const std::map<std::string, Look> looks{
+    {"flat", {Shading::flat}},
+    {"gouraud", {Shading::gouraud}},
+    {"phong", {Shading::phong}},
+    {"texture", {Shading::phong, Coat::texture}},
+    {"bump", {Shading::phong, Coat::bump}},
+    {"cook-torrance", {Shading::phong, Coat::none, shading::Illumination::cook_torrance}}};
 const std::map<std::string, shading::Illumination> illuminations{
     {"phong", shading::Illumination::phong}, {"blinn", shading::Illumination::blinn}};
 const std::map<std::string, render::Distances> distances{{"finite", render::Distances::finite},
@@ -33,7 +46,8 @@ const std::map<std::string, render::Distances> distances{{"finite", render::Dist
 
 struct PeerOptions : Options {
     std::vector<std::string> scenes;  // empty: all
-    std::vector<std::string> shadings{"flat", "gouraud", "phong"};
+    std::vector<std::string> shadings{"flat",    "gouraud", "phong",
+                                      "texture", "bump",    "cook-torrance"};
     std::string illumination = "phong";
     std::string distances = "finite";
     std::string mesh_path;
@@ -55,7 +69,7 @@ void add_peer_options(CLI::App& app, PeerOptions& options) {
         ->check(CLI::IsMember(scene_names()));
     app.add_option("--shading", options.shadings, "Only these shadings")
         ->delimiter(',')
-        ->check(CLI::IsMember(shadings));
+        ->check(CLI::IsMember(looks));
     app.add_option("--illumination", options.illumination, "The highlight's model")
         ->check(CLI::IsMember(illuminations))
         ->capture_default_str();
@@ -87,10 +101,10 @@ std::vector<ShadowStagePlan> shadow_plans_of(const PeerOptions& options) {
 }
 
 /// The same on both sides: back faces are culled, so that only fronts are lit.
-render::Settings settings_of(const PeerOptions& options, const std::string& shading) {
+render::Settings settings_of(const PeerOptions& options, const Look& look) {
     render::Settings settings;
-    settings.shading = shadings.at(shading);
-    settings.illumination = illuminations.at(options.illumination);
+    settings.shading = look.shading;
+    settings.illumination = look.illumination.value_or(illuminations.at(options.illumination));
     settings.distances = distances.at(options.distances);
     settings.cull = render::Cull::back;
     settings.sides = render::Sides::one;
@@ -120,7 +134,7 @@ private:
         std::cout << table_head(size, renderer_.threads(), std::string(renderer_.instructions()),
                                 target.renderer());
         for (const StagePlan& plan : plans_of(options_)) {
-            const Stage stage(plan.mesh(aspect_of(size)), plan.view, size);
+            Stage stage(plan.mesh(aspect_of(size)), plan.view, size);
             for (const std::string& shading : options_.shadings)
                 run(target, stage, plan.name, shading);
         }
@@ -139,12 +153,16 @@ private:
         }
     }
 
-    void run(const GlTarget& target, const Stage& stage, const std::string& name,
+    /// Meshes without (u, v) wear no coats.
+    void run(const GlTarget& target, Stage& stage, const std::string& name,
              const std::string& shading) {
+        const Look& look = looks.at(shading);
+        if (look.coat != Coat::none && !stage.mesh().vertices.has_uvs()) return;
+        stage.wear(look.coat);
         const Entry entry{stage.size(), renderer_.threads(), name, triangle_count(stage.mesh()),
                           shading};
-        const Outcome outcome =
-            contest(renderer_, target, stage, settings_of(options_, shading), options_.rounds);
+        const Outcome outcome = contest(renderer_, target, stage, settings_of(options_, look),
+                                        look.coat, options_.rounds);
         disagreements_ += agrees(outcome.agreement) ? 0 : 1;
         print(entry, outcome);
     }

@@ -37,14 +37,14 @@ std::string table_head(raster::Viewport size, int threads, const std::string& ou
                        const std::string& theirs) {
     return formatted("\n%s, %d thread%s: Scanlight by %s, %s\n", size_text(size).c_str(), threads,
                      threads == 1 ? "" : "s", ours.c_str(), theirs.c_str()) +
-           formatted("%-22s %9s  %-8s %9s %12s %7s  %-16s  %s\n", "scene", "triangles", "shading",
+           formatted("%-22s %9s  %-13s %9s %12s %7s  %-16s  %s\n", "scene", "triangles", "shading",
                      "ours, ms", "llvmpipe, ms", "ratio", "over the rounds",
                      "pixels that only one covers, of the outline; colours differ by, 1/255");
 }
 
 std::string table_line(const Entry& entry, const Outcome& outcome) {
     const std::string begin =
-        formatted("%-22s %9zu  %-8s ", entry.scene.c_str(), entry.triangles, entry.shading.c_str());
+        formatted("%-22s %9zu  %-13s ", entry.scene.c_str(), entry.triangles, entry.shading.c_str());
     const std::string pictures = agreement_text(outcome.agreement) + "\n";
     if (outcome.ours.empty()) return begin + "THE PICTURES DISAGREE  " + pictures;
     return begin + times_text(outcome) + "  " + pictures;

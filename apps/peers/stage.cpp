@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/framing.h"
+#include "shading/metals.h"
 
 namespace scanlight::peers {
 
@@ -42,7 +43,11 @@ render::Camera camera_of(const render::Scene& scene, View view, double aspect) {
 }
 
 shading::Material<float> material() {
-    return {glm::vec3(0.1f), {0.6f, 0.5f, 0.35f}, glm::vec3(0.3f), 32};
+    shading::Material<float> material{glm::vec3(0.1f), {0.6f, 0.5f, 0.35f}, glm::vec3(0.3f), 32};
+    const shading::Metal& copper = shading::metals().front();
+    material.facets = {
+        {shading::FacetDistribution::beckmann, 0.3}, shading::metal(copper.n, copper.k), 0.6};
+    return material;
 }
 
 render::Scene scene_of(const mesh::Mesh& mesh, View view, double aspect) {
@@ -78,6 +83,12 @@ Stage::Stage(mesh::Mesh mesh, View view, raster::Viewport size)
     : mesh_(of_one_material(std::move(mesh))),
       size_(size),
       scene_(scene_of(mesh_, view, aspect_of(size))) {}
+
+void Stage::wear(Coat coat) {
+    auto& textures = scene_.objects.front().textures;
+    textures.clear();
+    if (coat != Coat::none) textures.push_back(coat_textures(coat));
+}
 
 std::size_t triangle_count(const mesh::Mesh& mesh) {
     return mesh.corners.size() - 2 * mesh.face_count();

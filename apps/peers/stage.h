@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "apps/peers/coat.h"
 #include "mesh/mesh.h"
 #include "raster/project.h"
 #include "render/scene.h"
@@ -25,6 +26,8 @@ public:
     Stage(mesh::Mesh mesh, View view, raster::Viewport size);
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
+
+    void wear(Coat coat);
 
     const mesh::Mesh& mesh() const { return mesh_; }
     const render::Scene& scene() const { return scene_; }
