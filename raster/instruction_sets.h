@@ -10,11 +10,15 @@
 
 #ifdef SCANLIGHT_X86_LANES
 
+#ifdef SCANLIGHT_TWO_SETS
+#define SCANLIGHT_FOR_EACH_SET(USE) USE(N_AVX3, raster::runs_v4()) USE(N_SSE4, true)
+#else
 #define SCANLIGHT_FOR_EACH_SET(USE) \
     USE(N_AVX3, raster::runs_v4())  \
     USE(N_AVX2, raster::runs_v3())  \
     USE(N_SSE4, raster::runs_v2())  \
     USE(N_EMU128, true)
+#endif
 
 namespace scanlight::raster {
 

@@ -112,7 +112,7 @@ struct TexturedSurface {
 template <class Real>
 shading::Rgb<Real> color_on(const PlacedTextures::Slot& slot,
                             const shading::TextureSite<Real>& site) {
-    return slot ? shading::value_at(*slot, site).color : shading::Rgb<Real>(Real(1));
+    return slot ? shading::color_at(*slot, site) : shading::Rgb<Real>(Real(1));
 }
 
 /// The normal as bump and normal map leave it.
@@ -125,7 +125,7 @@ shading::Vec3<Real> wrinkled(const PlacedTextures& textures, const TexturedSurfa
         N = shading::bumped_normal(N, gradient * (s.outward * Real(textures.bump_height)));
     }
     if (textures.normal) {
-        const auto texel = shading::value_at(*textures.normal, s.site).color;
+        const auto texel = shading::color_at(*textures.normal, s.site);
         const Real scale = Real(2 * textures.normal_scale) * s.outward;
         const Vec3<Real> map((texel.x - Real(0.5)) * scale, (texel.y - Real(0.5)) * scale,
                              texel.z * Real(2) - Real(1));

@@ -76,11 +76,11 @@ EnvironmentPlace<Real> place_in(EnvironmentLayout layout, const Vec3<Real>& dire
 
 template <class Real>
 Rgb<Real> sampled_once(const TexelImage& image, EnvironmentLayout layout, Real u, Real v) noexcept {
-    const TexelLevel<Real> finest(image, Whole<Real>(0));
+    const TexelLevel<Real> finest(image);
     const Wrap around = layout == EnvironmentLayout::latitudes ? Wrap::repeat : Wrap::clamp;
     const auto x = neighbours<Real>(wrapped(u, around), finest.width, around);
     const auto y = neighbours<Real>(wrapped(v, Wrap::clamp), finest.height, Wrap::clamp);
-    return bilinear_texel(image, finest, x, y).color;
+    return bilinear_texel<TexelColor<Real>>(image, finest, x, y);
 }
 
 /// The light that comes from a unit direction, world space.

@@ -7,16 +7,9 @@
 
 namespace scanlight::shading {
 
-/// What a texture gives: a colour, linear, and its opacity.
-template <class Real>
-struct Texel {
-    Rgb<Real> color;
-    Real alpha;
-};
-
-template <class Real>
-Texel<Real> mixed(const Texel<Real>& a, const Texel<Real>& b, Real share_of_b) noexcept {
-    return {a.color + (b.color - a.color) * share_of_b, a.alpha + (b.alpha - a.alpha) * share_of_b};
+template <class Value, class Real>
+Value mixed(const Value& a, const Value& b, Real share_of_b) noexcept {
+    return a + (b - a) * share_of_b;
 }
 
 /// What lies beyond the edges of a texture: itself again, its outermost texels, its mirror image.
@@ -61,57 +54,74 @@ Neighbours<Real> neighbours(Real u, Whole<Real> size, Wrap wrap) noexcept {
             select(second > last, around ? I(0) : last, second), x - whole};
 }
 
+// What is wanted of texels. Nothing else of them is fetched.
+
+/// Their colours, linear.
 template <class Real>
-Texel<Real> texel_at(const TexelImage& image, Whole<Real> index) noexcept {
-    using W = Wholes<Real>;
-    const Whole<Real> place = index + index;
-    const Whole<Real> red_green = W::fetched(image.words(), place);
-    const Whole<Real> blue_alpha = W::fetched(image.words() + 1, place);
-    return {{real_of_half<Real>(red_green), real_of_half<Real>(W::shifted_right(red_green, 16)),
-             real_of_half<Real>(blue_alpha)},
-            real_of_half<Real>(W::shifted_right(blue_alpha, 16))};
-}
+struct TexelColor {
+    static Rgb<Real> at(const TexelImage& image, Whole<Real> index) noexcept {
+        using W = Wholes<Real>;
+        const Whole<Real> place = index + index;
+        const Whole<Real> red_green = W::fetched(image.words(), place);
+        const Whole<Real> blue_alpha = W::fetched(image.words() + 1, place);
+        return {real_of_half<Real>(red_green), real_of_half<Real>(W::shifted_right(red_green, 16)),
+                real_of_half<Real>(blue_alpha)};
+    }
+};
+
+/// Their opacity.
+template <class Real>
+struct TexelAlpha {
+    static Real at(const TexelImage& image, Whole<Real> index) noexcept {
+        using W = Wholes<Real>;
+        const Whole<Real> blue_alpha = W::fetched(image.words() + 1, index + index);
+        return real_of_half<Real>(W::shifted_right(blue_alpha, 16));
+    }
+};
 
 /// One level of the pyramid, for each lane its own.
 template <class Real>
 struct TexelLevel {
     Whole<Real> width, height, begin;
 
+    /// Level 0.
+    explicit TexelLevel(const TexelImage& image) noexcept
+        : width(image.width()), height(image.height()), begin(0) {}
     TexelLevel(const TexelImage& image, Whole<Real> level) noexcept
         : width(Wholes<Real>::fetched(image.widths(), level)),
           height(Wholes<Real>::fetched(image.heights(), level)),
           begin(Wholes<Real>::fetched(image.begins(), level)) {}
 };
 
-template <class Real>
-Texel<Real> nearest_texel(const TexelImage& image, const TexelLevel<Real>& level, Real u,
-                          Real v) noexcept {
+template <class Part, class Real>
+auto nearest_texel(const TexelImage& image, const TexelLevel<Real>& level, Real u,
+                   Real v) noexcept {
     using W = Wholes<Real>;
     using I = Whole<Real>;
     const auto index = [](Real x, I size) {
         const I whole = W::truncated(x * W::real(size));
         return select(whole < size, whole, size - I(1));
     };
-    return texel_at<Real>(
-        image, level.begin + index(v, level.height) * level.width + index(u, level.width));
+    return Part::at(image,
+                    level.begin + index(v, level.height) * level.width + index(u, level.width));
 }
 
-template <class Real>
-Texel<Real> bilinear_texel(const TexelImage& image, const TexelLevel<Real>& level,
-                           const Neighbours<Real>& x, const Neighbours<Real>& y) noexcept {
+template <class Part, class Real>
+auto bilinear_texel(const TexelImage& image, const TexelLevel<Real>& level,
+                    const Neighbours<Real>& x, const Neighbours<Real>& y) noexcept {
     const auto row = [&](Whole<Real> j) {
         const Whole<Real> begin = level.begin + j * level.width;
-        return mixed(texel_at<Real>(image, begin + x.first),
-                     texel_at<Real>(image, begin + x.second), x.share_of_second);
+        return mixed(Part::at(image, begin + x.first), Part::at(image, begin + x.second),
+                     x.share_of_second);
     };
     return mixed(row(y.first), row(y.second), y.share_of_second);
 }
 
-template <class Real>
-Texel<Real> bilinear_texel(const TexelImage& image, const TexelLevel<Real>& level, Real u, Real v,
-                           Wrap wrap) noexcept {
-    return bilinear_texel(image, level, neighbours<Real>(u, level.width, wrap),
-                          neighbours<Real>(v, level.height, wrap));
+template <class Part, class Real>
+auto bilinear_texel(const TexelImage& image, const TexelLevel<Real>& level, Real u, Real v,
+                    Wrap wrap) noexcept {
+    return bilinear_texel<Part>(image, level, neighbours<Real>(u, level.width, wrap),
+                                neighbours<Real>(v, level.height, wrap));
 }
 
 /// How large a pixel is on the texture, as a level of its pyramid: 0 where a texel covers a pixel
@@ -125,31 +135,35 @@ Real level_of(const TexelImage& image, Real squared) noexcept {
     return select(beyond < last, beyond, last);
 }
 
-template <class Real>
-Texel<Real> trilinear_texel(const TexelImage& image, Real level, Real u, Real v,
-                            Wrap wrap) noexcept {
+template <class Part, class Real>
+auto trilinear_texel(const TexelImage& image, Real squared_texels, Real u, Real v,
+                     Wrap wrap) noexcept {
     using W = Wholes<Real>;
     using I = Whole<Real>;
+    if (none(squared_texels > Real(1)))
+        return bilinear_texel<Part>(image, TexelLevel<Real>(image), u, v, wrap);
+    const Real level = level_of(image, squared_texels);
     const I fine = W::truncated(level);
     const Real share = level - W::real(fine);
-    const auto texel = bilinear_texel<Real>(image, {image, fine}, u, v, wrap);
+    const auto texel = bilinear_texel<Part>(image, TexelLevel<Real>(image, fine), u, v, wrap);
     const auto between = share > Real(0);
     if (none(between)) return texel;
     const I coarse = select(between, fine + I(1), fine);
-    return mixed(texel, bilinear_texel<Real>(image, {image, coarse}, u, v, wrap), share);
+    return mixed(texel, bilinear_texel<Part>(image, TexelLevel<Real>(image, coarse), u, v, wrap),
+                 share);
 }
 
 /// The texture at (u, v), where a pixel has so many texels on a side; see `level_of`.
-template <class Real>
-Texel<Real> sampled(const TexelImage& image, Filter filter, Wrap wrap, Real u, Real v,
-                    Real squared_texels) noexcept {
+template <class Part, class Real>
+auto sampled(const TexelImage& image, Filter filter, Wrap wrap, Real u, Real v,
+             Real squared_texels) noexcept {
     const Real x = wrapped(u, wrap);
     const Real y = wrapped(v, wrap);
     if (filter == Filter::trilinear)
-        return trilinear_texel(image, level_of(image, squared_texels), x, y, wrap);
-    const TexelLevel<Real> finest(image, Whole<Real>(0));
-    return filter == Filter::bilinear ? bilinear_texel<Real>(image, finest, x, y, wrap)
-                                      : nearest_texel<Real>(image, finest, x, y);
+        return trilinear_texel<Part>(image, squared_texels, x, y, wrap);
+    const TexelLevel<Real> finest(image);
+    return filter == Filter::bilinear ? bilinear_texel<Part>(image, finest, x, y, wrap)
+                                      : nearest_texel<Part>(image, finest, x, y);
 }
 
 }  // namespace scanlight::shading

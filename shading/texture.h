@@ -126,46 +126,45 @@ Real squared_texels(const TexelImage& image, const TexturePlace<Real>& place,
 }
 
 template <class Real>
-Texel<Real> between(const Texture& t, Real share_of_high) noexcept {
+Rgb<Real> between(const Texture& t, Rgb<Real> share_of_high) noexcept {
     const Rgb<Real> low(t.low);
-    return {low + (Rgb<Real>(t.high) - low) * share_of_high, Real(1)};
+    return low + (Rgb<Real>(t.high) - low) * share_of_high;
 }
 
 template <class Real>
-Texel<Real> solid_value(const Texture& t, const Vec3<Real>& p) noexcept {
+Rgb<Real> solid_color(const Texture& t, const Vec3<Real>& p) noexcept {
     switch (t.pattern) {
         case Pattern::wood:
-            return between(t, wood(p));
+            return between(t, Rgb<Real>(wood(p)));
         case Pattern::marble:
-            return between(t, marble(p, Real(t.bend)));
+            return between(t, Rgb<Real>(marble(p, Real(t.bend))));
         default:
-            return between(t, checkered_space(p));
+            return between(t, Rgb<Real>(checkered_space(p)));
     }
 }
 
 template <class Real>
-Texel<Real> image_value(const Texture& t, Real u, Real v, Real squared) noexcept {
-    const Texel<Real> texel = sampled(*t.image, t.filter, t.wrap, u, v, squared);
-    const Rgb<Real> low(t.low);
-    return {low + (Rgb<Real>(t.high) - low) * texel.color, texel.alpha};
-}
-
-template <class Real>
-Texel<Real> flat_value(const Texture& t, Real u, Real v, Real squared) noexcept {
-    if (t.pattern == Pattern::image) return image_value(t, u, v, squared);
-    const Real x = wrapped(u, t.wrap);
-    const Real y = wrapped(v, t.wrap);
+Real function_value(const Texture& t, Real x, Real y) noexcept {
     const Real count(t.count);
     switch (t.pattern) {
         case Pattern::stripes:
-            return between(t, stripes(x, count));
+            return stripes(x, count);
         case Pattern::gradient:
-            return between(t, x);
+            return x;
         case Pattern::waves:
-            return between(t, waves(x, y, count));
+            return waves(x, y, count);
         default:
-            return between(t, checkerboard(x, y, count));
+            return checkerboard(x, y, count);
     }
+}
+
+template <class Real>
+Rgb<Real> flat_color(const Texture& t, Real u, Real v, Real squared) noexcept {
+    if (t.pattern == Pattern::image) {
+        const auto texel = sampled<TexelColor<Real>>(*t.image, t.filter, t.wrap, u, v, squared);
+        return between(t, texel);
+    }
+    return between(t, Rgb<Real>(function_value(t, wrapped(u, t.wrap), wrapped(v, t.wrap))));
 }
 
 template <class Real>
@@ -177,13 +176,24 @@ Real squared_texels_if_image(const Texture& t, const TexturePlace<Real>& place,
 
 /// The texture's colour at a site.
 template <class Real>
-[[gnu::noinline]] Texel<Real> value_at(const PlacedTexture& placed,
-                                       const TextureSite<Real>& site) noexcept {
+[[gnu::noinline]] Rgb<Real> color_at(const PlacedTexture& placed,
+                                     const TextureSite<Real>& site) noexcept {
     const Texture& t = *placed.texture;
     if (fills_space(t.pattern))
-        return solid_value(t, mapped_point(placed.texture_from_world, site.point));
+        return solid_color(t, mapped_point(placed.texture_from_world, site.point));
     const TexturePlace<Real> place = place_on(placed, site);
-    return flat_value(t, place.u, place.v, squared_texels_if_image(t, place, site));
+    return flat_color(t, place.u, place.v, squared_texels_if_image(t, place, site));
+}
+
+/// The texture's opacity at a site: 1 but for images.
+template <class Real>
+[[gnu::noinline]] Real alpha_at(const PlacedTexture& placed,
+                                const TextureSite<Real>& site) noexcept {
+    const Texture& t = *placed.texture;
+    if (t.pattern != Pattern::image) return Real(1);
+    const TexturePlace<Real> place = place_on(placed, site);
+    return sampled<TexelAlpha<Real>>(*t.image, t.filter, t.wrap, place.u, place.v,
+                                     squared_texels_if_image(t, place, site));
 }
 
 /// Of a colour.
@@ -195,8 +205,8 @@ Real luminance(const Rgb<Real>& c) noexcept {
 /// The one number of a texture at a site.
 template <class Real>
 Real number_at(const PlacedTexture& placed, const TextureSite<Real>& site) noexcept {
-    const Texel<Real> texel = value_at(placed, site);
-    return placed.texture->channel == Channel::alpha ? texel.alpha : luminance(texel.color);
+    if (placed.texture->channel == Channel::alpha) return alpha_at(placed, site);
+    return luminance(color_at(placed, site));
 }
 
 /// How the texture's luminance, a height, grows along the surface, world space: by differences over
@@ -211,8 +221,8 @@ template <class Real>
         const auto slope = [&](int axis) {
             Vec3<Real> offset(Real(0));
             offset[axis] = Real(step);
-            const Real rise = luminance(solid_value(t, p + offset).color) -
-                              luminance(solid_value(t, p - offset).color);
+            const Real rise =
+                luminance(solid_color(t, p + offset)) - luminance(solid_color(t, p - offset));
             return rise * Real(0.5f / step);
         };
         return gradient_before(placed.texture_from_world, Vec3<Real>(slope(0), slope(1), slope(2)));
@@ -222,9 +232,7 @@ template <class Real>
     const bool is_image = t.pattern == Pattern::image;
     const float step_u = is_image ? 1.0f / static_cast<float>(t.image->width()) : 0x1p-10f;
     const float step_v = is_image ? 1.0f / static_cast<float>(t.image->height()) : 0x1p-10f;
-    const auto height = [&](Real u, Real v) {
-        return luminance(flat_value(t, u, v, squared).color);
-    };
+    const auto height = [&](Real u, Real v) { return luminance(flat_color(t, u, v, squared)); };
     const Real F_u =
         (height(place.u + Real(step_u), place.v) - height(place.u - Real(step_u), place.v)) *
         Real(0.5f / step_u);

@@ -43,8 +43,8 @@ std::string table_head(raster::Viewport size, int threads, const std::string& ou
 }
 
 std::string table_line(const Entry& entry, const Outcome& outcome) {
-    const std::string begin =
-        formatted("%-22s %9zu  %-13s ", entry.scene.c_str(), entry.triangles, entry.shading.c_str());
+    const std::string begin = formatted("%-22s %9zu  %-13s ", entry.scene.c_str(), entry.triangles,
+                                        entry.shading.c_str());
     const std::string pictures = agreement_text(outcome.agreement) + "\n";
     if (outcome.ours.empty()) return begin + "THE PICTURES DISAGREE  " + pictures;
     return begin + times_text(outcome) + "  " + pictures;

@@ -151,13 +151,24 @@ private:
 
 constexpr int map_size = 2048;
 
-/// How wide a cell of the map is at a point, across the light.
-double cell_width(const Scene& scene, std::size_t light, const glm::dvec3& point) {
-    const glm::dvec4 from = homogeneous(scene.lighting.lights[light]);
-    const auto cameras = light_cameras(from, scene.objects);
-    const LightView view(cameras[from.w == 0.0 ? 0 : cube_face(point - glm::dvec3(from))]);
-    return 2.0 * view.half_width(view.seen(point).z) / map_size;
-}
+/// How wide the cells of a light's maps are, across the light.
+class CellWidth {
+public:
+    CellWidth(const Scene& scene, std::size_t light)
+        : from_(homogeneous(scene.lighting.lights[light])) {
+        for (const auto& camera : light_cameras(from_, scene.objects))
+            views_.emplace_back(camera);
+    }
+
+    double at(const glm::dvec3& point) const {
+        const LightView& view = views_[from_.w == 0.0 ? 0 : cube_face(point - glm::dvec3(from_))];
+        return 2.0 * view.half_width(view.seen(point).z) / map_size;
+    }
+
+private:
+    glm::dvec4 from_;
+    std::vector<LightView> views_;
+};
 
 /// How far apart neighbouring pixels are at a depth.
 double pixel_width(const Frame& frame, int x, int y, raster::Depth depth) {
@@ -186,12 +197,13 @@ TEST(ShadowMap, AgreesWithShadowVolumes) {
             settings.shadows = Shadows::map;
             settings.shadow_map.size = map_size;
             const auto found = lit_share(scene, settings, light, depth);
+            const CellWidth cell_width(scene, light);
             for_each_pixel(viewport, [&](int x, int y) {
                 const raster::Depth z = depth.at(x, y);
                 const bool at_edge = !is_even(expected, x, y) || !is_even(items, x, y);
                 if (z == raster::depth_clear || at_edge) return;
                 const double steep = steepness.at(x, y, z, light);
-                const double cell = cell_width(scene, light, frame.point_at(x, y, z));
+                const double cell = cell_width.at(frame.point_at(x, y, z));
                 if (steep < 0.14 || cell / steep > pixel_width(frame, x, y, z)) return;
                 ++compared;
                 shadowed += expected.at(x, y) == 0.0f ? 1 : 0;

@@ -31,7 +31,7 @@ TexelImage image_of_oracle() {
 
 double looked_up(Wrap wrap, double u, double v) {
     const TexelImage image = image_of_oracle();
-    return sampled<double>(image, Filter::bilinear, wrap, u, v, 0.0).color.x;
+    return sampled<TexelColor<double>>(image, Filter::bilinear, wrap, u, v, 0.0).x;
 }
 
 TEST(ImageTexture, IMAG) {
@@ -53,19 +53,20 @@ TEST(ImageTexture, RepeatsEvery1AndMirrorsEvery2) {
 TEST(ImageTexture, GivesATexelAtItsMiddleByEveryFilter) {
     const TexelImage image = image_of_oracle();
     for (const Filter filter : {Filter::nearest, Filter::bilinear, Filter::trilinear}) {
-        EXPECT_EQ(sampled<double>(image, filter, Wrap::clamp, 0.75, 0.25, 0.5).color.x, 1.0);
-        EXPECT_EQ(sampled<double>(image, filter, Wrap::clamp, 0.25, 0.75, 0.5).color.x, 0.5);
+        EXPECT_EQ(sampled<TexelColor<double>>(image, filter, Wrap::clamp, 0.75, 0.25, 0.5).x, 1.0);
+        EXPECT_EQ(sampled<TexelColor<double>>(image, filter, Wrap::clamp, 0.25, 0.75, 0.5).x, 0.5);
     }
 }
 
 TEST(ImageTexture, FromFarAwayIsItsMean) {
     const TexelImage image = image_of_oracle();
     ASSERT_EQ(image.levels(), 2);
-    EXPECT_EQ(sampled<double>(image, Filter::trilinear, Wrap::repeat, 0.3, 0.9, 1e9).color.x,
+    EXPECT_EQ(sampled<TexelColor<double>>(image, Filter::trilinear, Wrap::repeat, 0.3, 0.9, 1e9).x,
               0.4375);
     // Half way: a pixel of sqrt(2) texels.
-    EXPECT_NEAR(sampled<double>(image, Filter::trilinear, Wrap::clamp, 0.75, 0.25, 2.0).color.x,
-                0.5 * (1.0 + 0.4375), close);
+    EXPECT_NEAR(
+        sampled<TexelColor<double>>(image, Filter::trilinear, Wrap::clamp, 0.75, 0.25, 2.0).x,
+        0.5 * (1.0 + 0.4375), close);
 }
 
 TEST(ImageTexture, LevelsKeepTheMeanOfSidesThatAreNoPowersOfTwo) {
@@ -80,7 +81,7 @@ TEST(ImageTexture, LevelsKeepTheMeanOfSidesThatAreNoPowersOfTwo) {
     }
     const TexelImage image(width, height, rgba);
     const auto far_away =
-        sampled<double>(image, Filter::trilinear, Wrap::repeat, 0.5, 0.5, 1e12).color.x;
+        sampled<TexelColor<double>>(image, Filter::trilinear, Wrap::repeat, 0.5, 0.5, 1e12).x;
     EXPECT_NEAR(far_away, mean, 5e-4);
 }
 
