@@ -1,10 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "raster/develop.h"
+#include "tests/golden/golden.h"
 #include "tests/render/shadow_agreement.h"
 
 namespace scanlight::render {
@@ -19,6 +23,27 @@ protected:
         scene_.camera.magnification = 1.5;
         put("plane:3", 4.0, {0.0, -2.0, 0.0});
         light({0.5, 4.0, 0.7});
+        scene_.lighting.ambient = glm::vec3(0.3f);
+        scene_.background = raster::Rgba(0.8f, 0.85f, 0.9f, 1.0f);
+    }
+
+    /// Each case is a golden picture, too.
+    void TearDown() override {
+        Settings settings;
+        settings.shadows = Shadows::zfail;
+        const Drawing drawing = draw(scene_, settings, {120, 90});
+        const auto picture = raster::srgb_image(drawing.framebuffer.color, raster::Alpha::dropped);
+        EXPECT_TRUE(golden::matches(golden_name(), picture));
+    }
+
+    static std::string golden_name() {
+        std::string name = "hard-cases/";
+        for (const char c :
+             std::string(testing::UnitTest::GetInstance()->current_test_info()->name())) {
+            if (std::isupper(static_cast<unsigned char>(c)) && name.back() != '/') name += '-';
+            name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        }
+        return name;
     }
 
     void put(const char* shape, double scale, const glm::dvec3& place) {
