@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
-#include <numeric>
 #include <span>
 
 #include "mesh/file_error.h"
@@ -12,6 +11,7 @@
 #include "mesh/round_shapes.h"
 #include "mesh/solids.h"
 #include "mesh/teapot.h"
+#include "mesh/text.h"
 
 namespace scanlight::mesh {
 namespace {
@@ -65,22 +65,6 @@ std::string described(const std::vector<Parameter>& parameters) {
         text += (text.empty() ? "" : ", ") + described(parameter);
     }
     return text;
-}
-
-/// How many letters must be added, left out or changed. Levenshtein 1966.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({changed, diagonal + 1, row[j] + 1});
-        }
-    }
-    return row.back();
 }
 
 std::string_view name_in(std::string_view text) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -26,7 +27,13 @@ std::string_view trimmed(std::string_view text);
 /// File text made fit for a message: in quotes, cut after 60 characters, nothing unprintable.
 std::string quoted(std::string_view text);
 
+/// The same without the quotes.
+std::string printable(std::string_view text);
+
 /// "1 vertex", "3 vertices".
 std::string counted(std::size_t count, std::string_view one, std::string_view many);
+
+/// How many letters must be added, left out or changed. Levenshtein 1966.
+std::size_t edit_distance(std::string_view a, std::string_view b);
 
 }  // namespace scanlight::mesh

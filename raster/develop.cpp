@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "raster/image_of.h"
+#include "raster/packed.h"
 #include "raster/srgb.h"
 
 namespace scanlight::raster {
@@ -27,7 +28,7 @@ Image8 srgb_image(const Plane<Rgba>& color, Alpha alpha) {
         color, channels(alpha), [](std::span<std::uint8_t> pixel, const Rgba& c) {
             for (int k = 0; k < 3; ++k)
                 pixel[static_cast<std::size_t>(k)] = srgb_from_linear(c[k]);
-            if (pixel.size() == 4) pixel[3] = c.a > 0.0f ? 255 : 0;
+            if (pixel.size() == 4) pixel[3] = step_of_255(c.a);
         });
 }
 

@@ -52,7 +52,8 @@ private:
     std::vector<T> values_;
 };
 
-/// Linear light, unclamped; alpha is 1 where something was drawn.
+/// Linear light, unclamped; alpha is 1 where something was drawn, and less where that covers a
+/// pixel in part or lets light through. The colour is never multiplied by it.
 using Rgba = glm::vec4;
 
 /// What polygons are drawn into.

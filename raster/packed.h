@@ -15,6 +15,9 @@ enum class Encoding {
     linear,  // nearest of 255 equal steps
 };
 
+/// The nearest of 255 equal steps from 0 to 1; of a NaN 0.
+std::uint8_t step_of_255(float value);
+
 /// Clamped to [0, 1] first; a NaN is 0. Alpha has 255 equal steps.
 PackedPixel packed_pixel(const Rgba& color, Encoding encoding);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "raster/box_filter.h"
 #include "render/shadow_map.h"
 #include "render/surroundings.h"
 
@@ -13,17 +14,17 @@ void fill_rows(const Target& target, raster::Rows rows) {
     std::visit(
         [&](const auto& t) {
             for (int y = rows.y_begin; y < rows.y_end; ++y)
-                std::ranges::fill(t.plane->row(y), t.background);
+                std::ranges::fill(t.row(y), t.background);
         },
         target);
 }
 
 void put(const raster::Rgba& color, const Target& target, int x, int y) {
     if (const auto* floats = std::get_if<FloatTarget>(&target)) {
-        floats->plane->at(x, y) = color;
+        floats->row(y)[static_cast<std::size_t>(x)] = color;
     } else {
         const auto& packed = std::get<PackedTarget>(target);
-        packed.plane->at(x, y) = raster::packed_pixel(color, packed.encoding);
+        packed.row(y)[static_cast<std::size_t>(x)] = raster::packed_pixel(color, packed.encoding);
     }
 }
 
@@ -35,14 +36,49 @@ void BandDrawer::begin() {
 }
 
 void BandDrawer::draw(const Picture& picture, int width, raster::Rows rows, int number) {
-    const bool at_once = lights_at_once(picture.settings, picture.target);
+    if (picture.settings.grid > 1) {
+        draw_samples(picture, width, rows, number);
+    } else {
+        draw_pixels(picture, width, rows, number);
+    }
+}
+
+/// A band at a time, so that the samples of the whole picture need no memory.
+void BandDrawer::draw_samples(const Picture& picture, int width, raster::Rows rows, int number) {
+    constexpr int most_rows = 1 << raster::Bands{}.row_bits;
+    if (samples_.width() != width) samples_ = raster::Plane<raster::Rgba>({width, most_rows}, {});
+    const Target samples = FloatTarget{&samples_, picture.background, rows.y_begin};
+    draw_pixels({picture.path,
+                 picture.passes,
+                 picture.transparent,
+                 picture.frame,
+                 picture.maps,
+                 picture.settings,
+                 picture.background,
+                 samples,
+                 {},
+                 {},
+                 {}},
+                width, rows, number);
+    store_means(rows, picture.settings.grid, picture.target);
+}
+
+void BandDrawer::store_means(raster::Rows rows, int grid, const Target& target) {
+    for (int y = rows.y_begin; y < rows.y_end; y += grid) {
+        means_.resize(static_cast<std::size_t>(samples_.width() / grid));
+        raster::average_rows(samples_, y - rows.y_begin, means_);
+        store_colors(means_, y / grid, target);
+    }
+}
+
+void BandDrawer::draw_pixels(const Picture& picture, int width, raster::Rows rows, int number) {
     int kept = 1;
     for (const ObjectPass& pass : picture.passes)
-        kept = std::max(kept, at_once ? 1 : 1 + pass.attributes.count);
+        kept = std::max(kept, picture.at_once ? 1 : 1 + pass.attributes.count);
     for (const ObjectPass& pass : picture.transparent)
         kept = std::max(kept, 3 + pass.attributes.count);
     band_.clear(width, rows, kept);
-    at_once ? draw_lit(picture, number) : draw_then_light(picture, number);
+    picture.at_once ? draw_lit(picture, number) : draw_then_light(picture, number);
     if (picture.depth != nullptr) copy_depth(*picture.depth);
     if (picture.frame.surroundings != nullptr) draw_surroundings(picture);
     if (!picture.transparent.empty()) draw_layers(picture, number);
@@ -86,7 +122,7 @@ std::size_t BandDrawer::see(const Picture& picture, const ObjectPass& pass, int 
     const std::size_t before = band_.counts().passed;
     Walker walker(pass, walks_, band_.rows());
     for (const raster::Bin& bin : pass.bins) {
-        picture.path.see(pass, lit_sides(picture.settings.sides, bin.band(number)), picture.target,
+        picture.path.see(pass, lit_sides(pass.settings.sides, bin.band(number)), picture.at_once,
                          band_, walker);
     }
     return band_.counts().passed - before;
@@ -114,7 +150,7 @@ void BandDrawer::draw_layers(const Picture& picture, int number) {
             add_layer(picture, *pass);
         band_.next_layer();
     }
-    lay_over(*std::get<FloatTarget>(picture.target).plane);
+    lay_over(std::get<FloatTarget>(picture.target));
 }
 
 /// The next layer; false if there is nothing in it.
@@ -124,8 +160,8 @@ bool BandDrawer::see_layer(const Picture& picture, int number) {
         const std::size_t before = band_.counts().passed;
         Walker walker(pass, walks_, band_.rows());
         for (const raster::Bin& bin : pass.bins) {
-            picture.path.see_behind(pass, lit_sides(picture.settings.sides, bin.band(number)),
-                                    band_, walker);
+            picture.path.see_behind(pass, lit_sides(pass.settings.sides, bin.band(number)), band_,
+                                    walker);
         }
         if (band_.counts().passed > before) seen_.push_back(&pass);
     }
@@ -156,10 +192,10 @@ Blend* BandDrawer::blends(int y) {
                                 static_cast<std::size_t>(band_.width());
 }
 
-void BandDrawer::lay_over(raster::Plane<raster::Rgba>& color) const {
+void BandDrawer::lay_over(const FloatTarget& target) const {
     const Blend* blend = blends_.data();
     for (int y = band_.rows().y_begin; y < band_.rows().y_end; ++y) {
-        for (raster::Rgba& pixel : color.row(y)) {
+        for (raster::Rgba& pixel : target.row(y)) {
             if (!blend->is_clear()) pixel = blend->over(pixel);
             ++blend;
         }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,24 +26,30 @@ public:
         const Frame& frame;
         std::span<const ShadowMap> maps;  // of all lights, where shadows are theirs
         const Settings& settings;
+        raster::Rgba background;
         const Target& target;
-        raster::Plane<raster::Depth>* depth;  // may be null
-        std::span<Stencil> stencils;          // one a light, or none
+        std::optional<raster::Encoding> at_once;  // see `light_at_once`
+        raster::Plane<raster::Depth>* depth;      // may be null
+        std::span<Stencil> stencils;              // one a light, or none
     };
 
     /// A picture begins: nothing is counted yet.
     void begin();
 
-    /// The `number`-th band, which has these rows.
+    /// The `number`-th band, which has these rows; where the settings ask for more than one sample
+    /// a pixel, rows and width are those of samples, and no depth is copied.
     void draw(const Picture& picture, int width, raster::Rows rows, int number);
 
     void add_to(DrawCounts& counts) const;
     std::size_t bytes() const {
         return band_.bytes() + shadows_.bytes() + row_.bytes() +
-               raster::bytes_held(items_, blends_);
+               raster::bytes_held(items_, blends_, means_) + samples_.values().size_bytes();
     }
 
 private:
+    void draw_samples(const Picture& picture, int width, raster::Rows rows, int number);
+    void draw_pixels(const Picture& picture, int width, raster::Rows rows, int number);
+    void store_means(raster::Rows rows, int grid, const Target& target);
     void draw_lit(const Picture& picture, int number);
     void draw_then_light(const Picture& picture, int number);
     void find_shadows(const Picture& picture, int number, std::span<Stencil> stencils);
@@ -52,7 +59,7 @@ private:
     bool see_layer(const Picture& picture, int number);
     void add_layer(const Picture& picture, const ObjectPass& pass);
     void add_layer_row(const ObjectPass& pass, int y);
-    void lay_over(raster::Plane<raster::Rgba>& color) const;
+    void lay_over(const FloatTarget& target) const;
     Blend* blends(int y);
     std::span<const raster::FaceItem> lit_sides(Sides sides,
                                                 std::span<const raster::FaceItem> items);
@@ -60,7 +67,9 @@ private:
 
     raster::VisibleBand band_;
     ShadowBand shadows_;
-    VectorStreams row_;  // colours of a row of pixels
+    raster::Plane<raster::Rgba> samples_;  // of the band, where a pixel has more than one
+    std::vector<raster::Rgba> means_;      // of a row of pixels
+    VectorStreams row_;                    // colours of a row of pixels
     WalkMemories walks_;
     std::vector<raster::FaceItem> items_;
     std::vector<const ObjectPass*> seen_;

@@ -1,5 +1,8 @@
 #include "render/draw.h"
 
+#include <utility>
+
+#include "raster/box_filter.h"
 #include "render/draw_with_shadows.h"
 #include "render/layers.h"
 #include "render/opacity.h"
@@ -42,7 +45,23 @@ DrawCounts& DrawCounts::operator+=(const DrawCounts& other) {
     return *this;
 }
 
+namespace {
+
+/// Draws a picture with a pixel for each sample, and averages.
+Drawing draw_samples(const Scene& scene, Settings settings, raster::Viewport viewport) {
+    const int grid = std::exchange(settings.grid, 1);
+    const Drawing samples = draw(scene, settings, size_in_samples(viewport, grid));
+    Drawing result = draw_opaque_depth(scene, settings, viewport);
+    result.counts = samples.counts;
+    for (int y = 0; y < viewport.height; ++y)
+        raster::average_rows(samples.framebuffer.color, y * grid, result.framebuffer.color.row(y));
+    return result;
+}
+
+}  // namespace
+
 Drawing draw(const Scene& scene, const Settings& settings, raster::Viewport viewport) {
+    if (settings.grid > 1) return draw_samples(scene, settings, viewport);
     if (has_transparent(scene)) return draw_with_layers(scene, settings, viewport);
     return draw_opaque(scene, settings, viewport);
 }
@@ -52,7 +71,8 @@ Drawing draw_opaque(const Scene& scene, const Settings& settings, raster::Viewpo
     Drawing result{raster::Framebuffer(viewport, scene.background), {}};
     const Frame frame = frame_of(scene, settings.distances, viewport);
     for (const Object& object : scene.objects) {
-        result.counts += draw_object(placed(object, frame), frame, settings, result.framebuffer);
+        result.counts += draw_object(placed(object, frame), frame, settings_of(object, settings),
+                                     result.framebuffer);
     }
     if (frame.surroundings != nullptr) draw_surroundings(frame, result.framebuffer);
     return result;
@@ -62,11 +82,16 @@ Drawing draw_depth(const Scene& scene, const Settings& settings, raster::Viewpor
     Drawing result{raster::Framebuffer(viewport, scene.background), {}};
     const Frame frame = frame_of(scene, settings.distances, viewport);
     for (const Object& object : scene.objects) {
-        result.counts +=
-            draw_polygons(placed(object, frame), PlainTechnique(scene.background), frame, settings,
-                          result.framebuffer.depth, result.framebuffer.color);
+        result.counts += draw_polygons(placed(object, frame), PlainTechnique(scene.background),
+                                       frame, settings_of(object, settings),
+                                       result.framebuffer.depth, result.framebuffer.color);
     }
     return result;
+}
+
+Drawing draw_opaque_depth(const Scene& scene, const Settings& settings, raster::Viewport viewport) {
+    return has_transparent(scene) ? draw_depth(split_by_opacity(scene).opaque, settings, viewport)
+                                  : draw_depth(scene, settings, viewport);
 }
 
 Drawing draw_fresnel(const Scene& scene, const Settings& settings, raster::Viewport viewport) {
@@ -74,8 +99,9 @@ Drawing draw_fresnel(const Scene& scene, const Settings& settings, raster::Viewp
     const Frame frame = frame_of(scene, settings.distances, viewport);
     for (const Object& object : scene.objects) {
         const PlacedMesh mesh = placed(object, frame);
-        result.counts += draw_polygons(mesh, FresnelTechnique(mesh, frame), frame, settings,
-                                       result.framebuffer.depth, result.framebuffer.color);
+        result.counts +=
+            draw_polygons(mesh, FresnelTechnique(mesh, frame), frame, settings_of(object, settings),
+                          result.framebuffer.depth, result.framebuffer.color);
     }
     return result;
 }
@@ -87,7 +113,8 @@ raster::Plane<glm::vec3> draw_normals(const Scene& scene, const Settings& settin
     const Frame frame = frame_of(scene, settings.distances, viewport);
     for (const Object& object : scene.objects) {
         const PlacedMesh mesh = placed(object, frame);
-        draw_polygons(mesh, NormalTechnique(mesh), frame, settings, depth, normals);
+        draw_polygons(mesh, NormalTechnique(mesh), frame, settings_of(object, settings), depth,
+                      normals);
     }
     return normals;
 }
@@ -100,7 +127,8 @@ raster::Plane<std::uint32_t> draw_ids(const Scene& scene, const Settings& settin
     std::uint32_t first_id = 1;
     for (const Object& object : scene.objects) {
         const PlacedMesh mesh = placed(object, frame);
-        draw_polygons(mesh, IdTechnique(mesh, first_id), frame, settings, depth, ids);
+        draw_polygons(mesh, IdTechnique(mesh, first_id), frame, settings_of(object, settings),
+                      depth, ids);
         if (!object.mesh->face_id.empty()) first_id += object.mesh->face_id.back() + 1;
     }
     return ids;
@@ -114,7 +142,8 @@ raster::Plane<std::uint32_t> draw_items(const Scene& scene, const Settings& sett
     std::uint32_t first_item = 1;
     for (const Object& object : scene.objects) {
         const PlacedMesh mesh = placed(object, frame);
-        draw_polygons(mesh, ItemTechnique(first_item), frame, settings, depth, items);
+        draw_polygons(mesh, ItemTechnique(first_item), frame, settings_of(object, settings), depth,
+                      items);
         first_item += static_cast<std::uint32_t>(object.mesh->face_count());
     }
     return items;

@@ -23,6 +23,9 @@ Drawing draw_opaque(const Scene& scene, const Settings& settings, raster::Viewpo
 /// The same in the background's colour, unlit: what is in front hides what comes later.
 Drawing draw_depth(const Scene& scene, const Settings& settings, raster::Viewport viewport);
 
+/// The same of the opaque surfaces alone: the depth that belongs to the picture.
+Drawing draw_opaque_depth(const Scene& scene, const Settings& settings, raster::Viewport viewport);
+
 /// How much of the light a smooth surface of the same material would mirror into the eye, by
 /// Fresnel's equations; in the place of the light.
 Drawing draw_fresnel(const Scene& scene, const Settings& settings, raster::Viewport viewport);

@@ -45,6 +45,11 @@ struct Frame {
     }
 };
 
+/// The size of a picture with as many pixels as `viewport` has samples.
+inline raster::Viewport size_in_samples(raster::Viewport viewport, int grid) {
+    return {viewport.width * grid, viewport.height * grid};
+}
+
 /// Applies the settings' distances: with eye and lights at infinity each has one direction, that
 /// from the camera's target.
 Frame frame_of(const Scene& scene, Distances distances, raster::Viewport viewport);

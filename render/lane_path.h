@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "raster/lane_path.h"
@@ -32,10 +33,10 @@ struct LanePath {
     /// Illuminates vertices [begin, end), begin a multiple of 64. The largest finite channel.
     float (*light_vertices)(ObjectPass&, std::size_t begin, std::size_t end);
 
-    /// Draws polygons of the object into the band. Pixels keep their colour where it
-    /// `lights_at_once`; else the polygon's item and the object's attributes.
-    void (*see)(const ObjectPass&, std::span<const raster::FaceItem> items, const Target&,
-                raster::VisibleBand&, raster::Walker&);
+    /// Draws polygons of the object into the band. Pixels keep their colour where there is
+    /// `light_at_once`; else the polygon's item and the object's attributes.
+    void (*see)(const ObjectPass&, std::span<const raster::FaceItem> items,
+                std::optional<raster::Encoding> at_once, raster::VisibleBand&, raster::Walker&);
 
     /// Stores the colours that the pixels keep; all others become background.
     void (*store_band)(raster::VisibleBand&, const Target&);

@@ -41,12 +41,13 @@ private:
     DrawCounts draw_object(const Object& object, const Frame& frame, std::int32_t first,
                            const Before& before, Layer& layer) const {
         const PlacedMesh mesh = placed(object, frame);
-        return with_technique(mesh, frame, settings_, [&](const auto& technique) {
+        const Settings settings = settings_of(object, settings_);
+        return with_technique(mesh, frame, settings, [&](const auto& technique) {
             const auto draw_span = [&](std::size_t face, const auto& span, const auto& shade) {
                 return raster::draw_span_behind(span, first + static_cast<std::int32_t>(face),
                                                 before.depth, before.number, layer, shade);
             };
-            return draw_polygons(mesh, technique, frame, settings_, draw_span);
+            return draw_polygons(mesh, technique, frame, settings, draw_span);
         });
     }
 

@@ -1,5 +1,6 @@
 #include "render/object_pass.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "render/gouraud.h"
@@ -85,17 +86,17 @@ std::size_t ObjectPass::bytes() const {
 }
 
 void ObjectPass::begin(const Object& begun, std::size_t first_face, const Frame& its_frame,
-                       const Settings& its_settings) {
+                       const Settings& picture) {
     assert(begun.materials.size() == begun.mesh->materials.size());
     assert(first_face + begun.mesh->face_count() <= raster::most_faces);
     object = &begun;
     faces = {static_cast<std::int32_t>(first_face),
              static_cast<std::int32_t>(begun.mesh->face_count())};
     frame = &its_frame;
-    settings = &its_settings;
+    settings = settings_of(begun, picture);
     placing = placing_of(object->world_from_object, *frame);
-    vertices.resize(mesh().vertices.size(), settings->shading != Shading::phong,
-                    settings->shading != Shading::flat);
+    vertices.resize(mesh().vertices.size(), settings.shading != Shading::phong,
+                    settings.shading != Shading::flat);
     polygons = polygons_of(*this);
     begin_textures();
 }
@@ -103,7 +104,7 @@ void ObjectPass::begin(const Object& begun, std::size_t first_face, const Frame&
 void ObjectPass::begin_textures() {
     textured = {mesh().vertices.has_colors(), false};
     textures.clear();
-    if (settings->shading != Shading::phong || !is_textured(*object, *frame)) return;
+    if (settings.shading != Shading::phong || !is_textured(*object, *frame)) return;
     textured = textured_attributes(*object);
     textures = placed_textures(*object);
     uv_unit = textured.has_uvs ? uv_unit_of(mesh().vertices) : 1.0f;
@@ -117,15 +118,36 @@ void ObjectPass::begin_shadows(std::size_t lights) {
 void ObjectPass::begin_vertex_light() {
     vertex_material = materials_of_vertices(*object);
     front.resize(vertices.w.size());
-    back.resize(settings->sides == Sides::two ? vertices.w.size() : 0);
+    back.resize(settings.sides == Sides::two ? vertices.w.size() : 0);
 }
 
 void ObjectPass::end_vertices() {
     attributes = {};
     attributes.w = vertices.w;
-    attributes.perspective_correct = settings->perspective == Perspective::correct;
-    if (settings->shading == Shading::gouraud) interpolate_intensities(*this, attributes);
-    if (settings->shading == Shading::phong) interpolate_normals(*this, attributes);
+    attributes.perspective_correct = settings.perspective == Perspective::correct;
+    if (settings.shading == Shading::gouraud) interpolate_intensities(*this, attributes);
+    if (settings.shading == Shading::phong) interpolate_normals(*this, attributes);
+}
+
+void store_colors(std::span<const raster::Rgba> colors, int y, const Target& target) {
+    if (const auto* floats = std::get_if<FloatTarget>(&target)) {
+        std::ranges::copy(colors, floats->row(y).begin());
+    } else {
+        const auto& packed = std::get<PackedTarget>(target);
+        std::ranges::transform(colors, packed.row(y).begin(), [&](const raster::Rgba& color) {
+            return raster::packed_pixel(color, packed.encoding);
+        });
+    }
+}
+
+std::optional<raster::Encoding> light_at_once(std::span<const ObjectPass> passes,
+                                              const Target& target) {
+    const bool waits = std::ranges::any_of(passes, [](const ObjectPass& pass) {
+        return pass.settings.shading == Shading::phong || pass.settings.shadows != Shadows::none ||
+               pass.settings.grid > 1;
+    });
+    const auto* packed = std::get_if<PackedTarget>(&target);
+    return packed != nullptr && !waits ? std::optional(packed->encoding) : std::nullopt;
 }
 
 }  // namespace scanlight::render

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -35,7 +36,7 @@ struct FaceRange {
 struct ObjectPass {
     const Object* object = nullptr;
     const Frame* frame = nullptr;
-    const Settings* settings = nullptr;
+    Settings settings;  // its own
     FaceRange faces;
     Placing placing;
     VertexStreams vertices;
@@ -53,8 +54,8 @@ struct ObjectPass {
     std::vector<ShadowSides> sides;                         // of each light that casts shadows
     std::optional<mesh::SilhouetteFinder> own_silhouettes;  // where the object brings none
 
-    /// Takes over an object, of which nothing is worked out yet; `first_face` is how many faces the
-    /// objects before it have.
+    /// Takes over an object of a picture with these settings, of which nothing is worked out yet;
+    /// `first_face` is how many faces the objects before it have.
     void begin(const Object&, std::size_t first_face, const Frame&, const Settings&);
     void begin_textures();
     /// Makes room for the shadows of so many lights.
@@ -75,11 +76,16 @@ struct ObjectPass {
 struct FloatTarget {
     raster::Plane<raster::Rgba>* plane;
     raster::Rgba background;
+    int first_row = 0;  // of the picture, that the plane has
+
+    std::span<raster::Rgba> row(int y) const { return plane->row(y - first_row); }
 };
 struct PackedTarget {
     raster::Plane<raster::PackedPixel>* plane;
     raster::Encoding encoding;
     raster::PackedPixel background;
+
+    std::span<raster::PackedPixel> row(int y) const { return plane->row(y); }
 };
 
 using Target = std::variant<FloatTarget, PackedTarget>;
@@ -92,14 +98,16 @@ inline raster::Viewport size_of(const Target& target) {
         target);
 }
 
+/// Stores a row of colours as the target takes them.
+void store_colors(std::span<const raster::Rgba> colors, int y, const Target& target);
+
 /// Whether what shows nothing is left as it is, or becomes background.
 enum class Background { kept, drawn };
 
-/// Whether a pixel gets its light as soon as a surface is seen there. Else that waits until the
-/// nearest is known: where light is dear, and where a colour is more than one number to keep.
-inline bool lights_at_once(const Settings& settings, const Target& target) {
-    return settings.shading != Shading::phong && settings.shadows == Shadows::none &&
-           std::holds_alternative<PackedTarget>(target);
-}
+/// The encoding in which pixels keep their colour, where each gets its light as soon as a surface
+/// is seen there. None where light waits until the nearest surface is known: where it is dear, and
+/// where a colour is more than one number to keep.
+std::optional<raster::Encoding> light_at_once(std::span<const ObjectPass> passes,
+                                              const Target& target);
 
 }  // namespace scanlight::render

@@ -106,7 +106,8 @@ public:
           target_(target),
           depth_(depth),
           stencils_(stencils),
-          frame_(frame_of(scene, settings.distances, size_of(target))),
+          frame_(
+              frame_of(scene, settings.distances, size_in_samples(size_of(target), settings.grid))),
           bands_{frame_.viewport.height} {}
 
     DrawReport draw() {
@@ -146,7 +147,7 @@ private:
 
     void light_vertices() {
         for (ObjectPass& pass : memory_.passes) {
-            if (settings_.shading == Shading::gouraud) light_vertices_of(pass);
+            if (pass.settings.shading == Shading::gouraud) light_vertices_of(pass);
             pass.end_vertices();
         }
     }
@@ -165,10 +166,11 @@ private:
     void fill_bins() {
         for (ObjectPass& pass : memory_.passes)
             pass.bins.resize((pass.mesh().face_count() + faces_a_piece - 1) / faces_a_piece);
-        const raster::CullRule rule{settings_.cull == Cull::front, settings_.cull == Cull::back};
         for_each_piece(
             memory_.passes, faces_a_piece, face_count, [&](int worker, const Piece& piece) {
                 ObjectPass& pass = *piece.pass;
+                const Cull cull = pass.settings.cull;
+                const raster::CullRule rule{cull == Cull::front, cull == Cull::back};
                 raster::fill_bin(
                     pass.polygons, rule, piece.begin, piece.end, bands_,
                     memory_.path.raster->cull_faces,
@@ -218,7 +220,9 @@ private:
                                           frame_,
                                           memory_.maps,
                                           settings_,
+                                          scene_.background,
                                           target_,
+                                          light_at_once(passes, target_),
                                           depth_,
                                           stencils_};
         memory_.workers.for_each(
@@ -269,17 +273,6 @@ private:
 
 namespace {
 
-void copy_row(const raster::Plane<raster::Rgba>& from, int y, const Target& to) {
-    if (const auto* floats = std::get_if<FloatTarget>(&to)) {
-        std::ranges::copy(from.row(y), floats->plane->row(y).begin());
-    } else {
-        const auto& packed = std::get<PackedTarget>(to);
-        std::ranges::transform(from.row(y), packed.plane->row(y).begin(), [&](const auto& c) {
-            return raster::packed_pixel(c, packed.encoding);
-        });
-    }
-}
-
 /// A bit a light for each pixel: no share of it. The maps of all lights are there at one time.
 bool knows_maps(const Scene& scene, const Settings& settings) {
     constexpr std::size_t most = std::size_t{1} << 28;  // bytes
@@ -289,7 +282,10 @@ bool knows_maps(const Scene& scene, const Settings& settings) {
 
 /// Intensities of the vertices would have to be interpolated for each light apart.
 bool knows_shadows(const Scene& scene, const Settings& settings) {
-    if (settings.shading == Shading::gouraud ||
+    const auto is_gouraud = [&](const Object& object) {
+        return settings_of(object, settings).shading == Shading::gouraud;
+    };
+    if (std::ranges::any_of(scene.objects, is_gouraud) ||
         scene.lighting.lights.size() > ShadowBand::most_lights)
         return false;
     if (settings.shadows == Shadows::map) return knows_maps(scene, settings);
@@ -301,7 +297,7 @@ DrawReport draw_by_the_textbook(const Scene& scene, const Settings& settings, co
                                 raster::Plane<raster::Depth>* depth) {
     Drawing drawing = draw(scene, settings, size_of(target));
     for (int y = 0; y < drawing.framebuffer.color.height(); ++y)
-        copy_row(drawing.framebuffer.color, y, target);
+        store_colors(drawing.framebuffer.color.row(y), y, target);
     if (depth != nullptr) *depth = std::move(drawing.framebuffer.depth);
     DrawReport report;
     report.counts = drawing.counts;
@@ -323,8 +319,11 @@ DrawReport Renderer::draw_into(const Scene& scene, const Settings& settings, con
                                raster::Plane<raster::Depth>* depth) {
     if (settings.shadows != Shadows::none && !knows_shadows(scene, settings))
         return draw_by_the_textbook(scene, settings, target, depth);
-    if (has_transparent(scene)) return draw_layers_into(scene, settings, target, depth);
-    return Picture(*memory_, scene, scene.objects.size(), settings, target, depth).draw();
+    if (settings.grid > 1 && depth != nullptr)
+        *depth = draw_opaque_depth(scene, settings, size_of(target)).framebuffer.depth;
+    raster::Plane<raster::Depth>* const drawn_depth = settings.grid > 1 ? nullptr : depth;
+    if (has_transparent(scene)) return draw_layers_into(scene, settings, target, drawn_depth);
+    return Picture(*memory_, scene, scene.objects.size(), settings, target, drawn_depth).draw();
 }
 
 DrawReport Renderer::draw_layers_into(const Scene& scene, const Settings& settings,
@@ -332,7 +331,7 @@ DrawReport Renderer::draw_layers_into(const Scene& scene, const Settings& settin
     SplitScene split = split_by_opacity(scene);
     const std::size_t opaque = split.opaque.objects.size();
     std::ranges::move(split.transparent.objects, std::back_inserter(split.opaque.objects));
-    if (std::holds_alternative<FloatTarget>(target))
+    if (std::holds_alternative<FloatTarget>(target) || settings.grid > 1)  // samples are floats
         return Picture(*memory_, split.opaque, opaque, settings, target, depth).draw();
     const raster::Viewport size = size_of(target);
     raster::Plane<raster::Rgba>& floats = memory_->floats;
@@ -342,15 +341,17 @@ DrawReport Renderer::draw_layers_into(const Scene& scene, const Settings& settin
     const DrawReport report =
         Picture(*memory_, split.opaque, opaque, settings, first, depth).draw();
     memory_->workers.for_each(static_cast<std::size_t>(size.height), [&](int, std::size_t y) {
-        copy_row(floats, static_cast<int>(y), target);
+        store_colors(floats.row(static_cast<int>(y)), static_cast<int>(y), target);
     });
     return report;
 }
 
-std::vector<Stencil> Renderer::count_shadows(const Scene& scene, const Settings& settings,
+std::vector<Stencil> Renderer::count_shadows(const Scene& scene, const Settings& picture,
                                              raster::Viewport viewport) {
     const SplitScene split = split_by_opacity(scene);
     const Scene& opaque = split.opaque;
+    Settings settings = picture;
+    settings.grid = 1;
     if (!knows_shadows(opaque, settings)) return count_by_the_textbook(opaque, settings, viewport);
     std::vector<Stencil> stencils(scene.lighting.lights.size(), Stencil(viewport, 0));
     raster::Plane<raster::Rgba> color(viewport, scene.background);

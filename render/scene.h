@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,30 +17,6 @@
 #include "shading/surface_textures.h"
 
 namespace scanlight::render {
-
-/// A mesh placed in the world. The mesh is the caller's, and outlives the object.
-struct Object {
-    const mesh::Mesh* mesh = nullptr;
-    std::vector<shading::Material<float>> materials;  // one for each of the mesh's
-    glm::dmat4 world_from_object{1.0};
-    /// Of the mesh, for shadows: kept by a caller who draws it more than once. Made where null.
-    const mesh::SilhouetteFinder* silhouettes = nullptr;
-    /// Of each material; empty where nothing is textured.
-    std::vector<shading::SurfaceTextures> textures{};
-};
-
-struct Scene {
-    Camera camera;
-    shading::Lighting<float> lighting;  // world space
-    std::vector<Object> objects;
-    raster::Rgba background{0.0f};
-    /// The light from far away: what surfaces mirror; what lights them diffusely, pre-integrated
-    /// (see `shading::diffuse_environment`); what is seen behind everything, in the background's
-    /// place. Any may be null. Only Phong-shaded surfaces know the first two.
-    std::shared_ptr<const shading::Environment> mirrored{};
-    std::shared_ptr<const shading::Environment> diffuse{};
-    std::shared_ptr<const shading::Environment> surroundings{};
-};
 
 enum class Shading { flat, gouraud, phong };
 
@@ -89,7 +66,57 @@ struct Settings {
     Distances distances = Distances::finite;
     Shadows shadows = Shadows::none;
     ShadowMapRule shadow_map{};
+    /// Samples a pixel, each way, of which its colour is the mean: 1, 2 or 4. Anything else that is
+    /// known of a pixel, such as its depth, is that of its centre.
+    int grid = 1;
 };
+
+/// What an object settles for itself; the rest is as the picture's settings say.
+struct OwnSettings {
+    std::optional<Shading> shading = {};
+    std::optional<shading::Illumination> illumination = {};
+    std::optional<float> gouraud71_k = {};
+    std::optional<Perspective> perspective = {};
+    std::optional<Cull> cull = {};
+    std::optional<Sides> sides = {};
+};
+
+/// A mesh placed in the world. The mesh is the caller's, and outlives the object.
+struct Object {
+    const mesh::Mesh* mesh = nullptr;
+    std::vector<shading::Material<float>> materials;  // one for each of the mesh's
+    glm::dmat4 world_from_object{1.0};
+    /// Of the mesh, for shadows: kept by a caller who draws it more than once. Made where null.
+    const mesh::SilhouetteFinder* silhouettes = nullptr;
+    /// Of each material; empty where nothing is textured.
+    std::vector<shading::SurfaceTextures> textures = {};
+    OwnSettings own = {};
+};
+
+struct Scene {
+    Camera camera;
+    shading::Lighting<float> lighting;  // world space
+    std::vector<Object> objects;
+    raster::Rgba background{0.0f};
+    /// The light from far away: what surfaces mirror; what lights them diffusely, pre-integrated
+    /// (see `shading::diffuse_environment`); what is seen behind everything, in the background's
+    /// place. Any may be null. Only Phong-shaded surfaces know the first two.
+    std::shared_ptr<const shading::Environment> mirrored{};
+    std::shared_ptr<const shading::Environment> diffuse{};
+    std::shared_ptr<const shading::Environment> surroundings{};
+};
+
+/// How an object is drawn in a picture of these settings.
+inline Settings settings_of(const Object& object, Settings settings) {
+    const OwnSettings& own = object.own;
+    settings.shading = own.shading.value_or(settings.shading);
+    settings.illumination = own.illumination.value_or(settings.illumination);
+    settings.gouraud71_k = own.gouraud71_k.value_or(settings.gouraud71_k);
+    settings.perspective = own.perspective.value_or(settings.perspective);
+    settings.cull = own.cull.value_or(settings.cull);
+    settings.sides = own.sides.value_or(settings.sides);
+    return settings;
+}
 
 /// Calls `use` with the function object of the settings' illumination model.
 template <class Use>

@@ -25,7 +25,7 @@ bool has_large_polygon(const mesh::Mesh& mesh) {
 void ShadowSides::find(const ObjectPass& pass, const glm::dvec4& light,
                        const raster::Bands& bands) {
     triangles_.clear();
-    if (casts_shadow(*pass.object, *pass.settings)) find_triangles(pass, light);
+    if (casts_shadow(*pass.object, pass.settings)) find_triangles(pass, light);
     sort_into(bands);
 }
 
@@ -33,7 +33,7 @@ void ShadowSides::find_triangles(const ObjectPass& pass, const glm::dvec4& light
     const raster::Viewport viewport = pass.frame->viewport;
     const ShadowVolume volume(*pass.object, pass.silhouettes(), light, *pass.frame);
     const auto deep = deep_for(*pass.frame, has_vertex_outside(pass, raster::ClipPlane::far));
-    const bool has_section = pass.settings->shadows != Shadows::zpass_from_zero;
+    const bool has_section = pass.settings.shadows != Shadows::zpass_from_zero;
     const auto add = [&](const raster::BareScreenPolygon& polygon, std::int32_t count) {
         raster::for_each_triangle(polygon, [&](const raster::BareScreenPolygon& t) {
             triangles_.push_back({{t[0], t[1], t[2]}, count});
@@ -75,9 +75,9 @@ std::size_t ShadowSides::bytes() const {
 }
 
 bool sides_suffice(const Scene& scene, const Settings& settings) {
-    return settings.cull == Cull::none &&
-           std::ranges::none_of(
-               scene.objects, [](const Object& object) { return has_large_polygon(*object.mesh); });
+    return std::ranges::all_of(scene.objects, [&](const Object& object) {
+        return settings_of(object, settings).cull == Cull::none && !has_large_polygon(*object.mesh);
+    });
 }
 
 }  // namespace scanlight::render

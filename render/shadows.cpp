@@ -35,7 +35,7 @@ public:
     void for_each_part(Visit&& visit) const {
         for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
             const Object& object = scene_.objects[i];
-            if (!casts_shadow(object, settings_)) continue;
+            if (!casts_shadow(object, settings_of(object, settings_))) continue;
             std::optional<mesh::SilhouetteFinder> own;
             const mesh::SilhouetteFinder& silhouettes =
                 object.silhouettes != nullptr ? *object.silhouettes : own.emplace(*object.mesh);

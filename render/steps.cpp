@@ -84,9 +84,10 @@ int scanlines_of(const std::vector<raster::ScreenVertex<0>>& corners) {
 
 }  // namespace
 
-std::vector<SeenPolygon> seen_polygons(const Scene& scene, const Settings& settings,
+std::vector<SeenPolygon> seen_polygons(const Scene& scene, const Settings& picture,
                                        raster::Viewport viewport) {
     if (scene.objects.empty()) return {};
+    const Settings settings = settings_of(scene.objects.front(), picture);
     const Frame frame = frame_of(scene, settings.distances, viewport);
     const PlacedMesh mesh = placed(scene.objects.front(), frame);
     const IdTechnique ids(mesh, 1);
@@ -100,10 +101,11 @@ std::vector<SeenPolygon> seen_polygons(const Scene& scene, const Settings& setti
     return result;
 }
 
-std::vector<PolygonSteps> trace_polygons(const Scene& scene, const Settings& settings,
+std::vector<PolygonSteps> trace_polygons(const Scene& scene, const Settings& picture,
                                          raster::Viewport viewport,
                                          const std::vector<SeenPolygon>& polygons) {
     if (polygons.empty()) return {};
+    const Settings settings = settings_of(scene.objects.front(), picture);
     const Frame frame = frame_of(scene, settings.distances, viewport);
     const PlacedMesh mesh = placed(scene.objects.front(), frame);
     const auto trace = [&](const auto& technique, const std::vector<std::string>& names,

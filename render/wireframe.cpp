@@ -86,7 +86,7 @@ void draw_wireframe(const Scene& scene, raster::Rgba color, HiddenLines hidden,
     const Frame frame = frame_of(scene, Distances::finite, target.size());
     for (const Object& object : scene.objects) {
         const PlacedMesh mesh = placed(object, frame);
-        for (const auto& [a, b] : edges_of(mesh, frame, settings)) {
+        for (const auto& [a, b] : edges_of(mesh, frame, settings_of(object, settings))) {
             const auto line = raster::clip_line({mesh.clip[a], {}}, {mesh.clip[b], {}});
             if (!line) continue;
             draw_line(raster::snapped<0>(line->first.position, frame.viewport),

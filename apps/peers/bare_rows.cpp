@@ -32,10 +32,8 @@ constexpr raster::FaceItem only_face = raster::walk_flag;
 
 }  // namespace
 
-BareRows::BareRows(int length)
-    : length_(length), zeros_(3), corners_{0, 1, 2}, begins_{0, 3}, picture_({length, 1}, 0) {
-    settings_.shading = render::Shading::gouraud;
-    pass_.settings = &settings_;
+BareRows::BareRows(int length) : length_(length), zeros_(3), corners_{0, 1, 2}, begins_{0, 3} {
+    pass_.settings.shading = render::Shading::gouraud;
     pass_.polygons = {zeros_, zeros_, zeros_, zeros_, corners_, begins_};
     pass_.attributes.count = 4;
     clear();
@@ -64,8 +62,7 @@ void BareRows::draw_items(const render::LanePath& path) {
 void BareRows::draw_gouraud(const render::LanePath& path) {
     clear();
     AllSpans walker(length_);
-    path.see(pass_, {&only_face, 1}, render::PackedTarget{&picture_, raster::Encoding::linear, 0},
-             band_, walker);
+    path.see(pass_, {&only_face, 1}, raster::Encoding::linear, band_, walker);
 }
 
 }  // namespace scanlight::peers

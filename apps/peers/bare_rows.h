@@ -29,8 +29,6 @@ private:
     raster::VisibleBand band_;
     std::vector<std::int32_t> zeros_;
     std::vector<std::uint32_t> corners_, begins_;
-    raster::Plane<raster::PackedPixel> picture_;
-    render::Settings settings_;
     render::ObjectPass pass_;
 };
 

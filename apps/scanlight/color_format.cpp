@@ -1,6 +1,6 @@
 #include "apps/scanlight/color_format.h"
 
-#include "apps/scanlight/usage_error.h"
+#include "apps/scene/usage_error.h"
 
 namespace scanlight::apps {
 

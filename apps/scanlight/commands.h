@@ -15,6 +15,8 @@ void add_diff_command(CLI::App& program);
 void add_steps_command(CLI::App& program);
 void add_gallery_command(CLI::App& program);
 void add_shapes_command(CLI::App& program);
+void add_turntable_command(CLI::App& program);
+void add_scene_command(CLI::App& program);
 
 /// Exit status 1: the pictures differ. Not an error.
 struct Dissimilar {};

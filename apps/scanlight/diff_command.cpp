@@ -6,8 +6,8 @@
 
 #include "apps/scanlight/color_format.h"
 #include "apps/scanlight/commands.h"
-#include "apps/scanlight/json.h"
 #include "apps/scanlight/print_data.h"
+#include "apps/scene/json.h"
 #include "raster/compare.h"
 #include "raster/load_image.h"
 #include "raster/save_image.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "apps/scanlight/picture.h"
-#include "apps/scanlight/scene_setup.h"
+#include "apps/scene/scene_setup.h"
 
 namespace scanlight::apps {
 
@@ -13,8 +13,8 @@ raster::Image8 draw_panel(const std::string& command_line, raster::Viewport size
                           const Means& means) {
     SceneOptions options = parse_scene(command_line);
     options.size = size;
-    const Model model = load_model(options);
-    const render::Scene scene = scene_of(model, options);
+    const Models models = load_models(options);
+    const render::Scene scene = scene_of(models, options);
     return byte_image(draw_picture(scene, options, means, {}), raster::Alpha::dropped);
 }
 
@@ -246,6 +246,11 @@ const std::vector<Figure>& figures() {
          {"plane:8 --view 20,35 --light point:0.5,0.8,0.5 --material \"kd=#607060 ks=0.6 n=20\"",
           "plane:8 --view 20,35 --light point:0.5,0.8,0.5 --material \"kd=#607060 ks=0.6 n=20\" "
           "--distances infinite"}},
+        {"samples",
+         "The edges of a triangle with 1, 4 and 16 samples a pixel, averaged in linear light.",
+         {"ngon:3 --view 10,20 --background 0.9",
+          "ngon:3 --view 10,20 --background 0.9 --samples 4",
+          "ngon:3 --view 10,20 --background 0.9 --samples 16"}},
         {"crease",
          "A cube with averaged normals looks like a pillow; a crease angle keeps its edges. A "
          "cylinder without and with one.",

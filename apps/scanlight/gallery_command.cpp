@@ -8,9 +8,9 @@
 
 #include "apps/scanlight/commands.h"
 #include "apps/scanlight/figures.h"
-#include "apps/scanlight/parse.h"
 #include "apps/scanlight/progress.h"
-#include "apps/scanlight/usage_error.h"
+#include "apps/scene/parse.h"
+#include "apps/scene/usage_error.h"
 #include "raster/save_file.h"
 #include "raster/save_image.h"
 

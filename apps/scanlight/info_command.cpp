@@ -1,12 +1,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 
 #include "apps/scanlight/commands.h"
-#include "apps/scanlight/json.h"
-#include "apps/scanlight/model.h"
 #include "apps/scanlight/print_data.h"
+#include "apps/scene/json.h"
+#include "apps/scene/models.h"
+#include "apps/scene/read_scene.h"
 #include "mesh/bounds.h"
 #include "mesh/mtl_text.h"
 #include "raster/save_file.h"
@@ -74,6 +76,15 @@ Json json_of(const Model& model) {
             {"warnings", model.warnings}};
 }
 
+/// Of a mesh itself, or of all meshes of a scene.
+Json json_of(const Models& models, const std::string& input) {
+    if (!names_scene(input)) return json_of(models.all.front());
+    Json meshes = Json::array();
+    for (const Model& model : models.all)
+        meshes.push_back(json_of(model));
+    return {{"input", input}, {"objects", models.of_object.size()}, {"meshes", meshes}};
+}
+
 std::string words_of(std::string key) {
     std::ranges::replace(key, '_', ' ');
     return key;
@@ -102,21 +113,36 @@ std::string lines_of(const Json& json) {
     return text;
 }
 
+/// Of all meshes.
+std::vector<mesh::Material> materials_in(const Models& models) {
+    std::vector<mesh::Material> materials;
+    for (const Model& model : models.all)
+        std::ranges::copy(model.mesh.materials, std::back_inserter(materials));
+    return materials;
+}
+
 void info(const InfoOptions& options) {
-    const Model model = load_model(options.input, {});
-    if (!options.mtl.empty()) raster::save_file(options.mtl, mesh::mtl_text(model.mesh.materials));
+    SceneOptions scene;
+    set_input(scene, options.input);
+    const Models models = load_models(scene);
+    if (!options.mtl.empty()) raster::save_file(options.mtl, mesh::mtl_text(materials_in(models)));
     if (options.mtl == "-") return;
-    const Json json = json_of(model);
-    print_data(options.json ? json_text(json) : lines_of(json));
+    if (options.json) return print_data(json_text(json_of(models, options.input)));
+    std::string text;
+    for (const Model& model : models.all)
+        text += (text.empty() ? "" : "\n") + lines_of(json_of(model));
+    print_data(text);
 }
 
 }  // namespace
 
 void add_info_command(CLI::App& program) {
     auto options = std::make_shared<InfoOptions>();
-    CLI::App* command =
-        program.add_subcommand("info", "What a mesh file holds and what was repaired");
-    command->add_option("input", options->input, "mesh file, - or a built-in shape")
+    CLI::App* command = program.add_subcommand(
+        "info", "What a mesh file, or each of a scene file, holds and what was repaired");
+    command
+        ->add_option("input", options->input,
+                     "mesh file, - or a built-in shape; or a scene file, for all its meshes")
         ->required()
         ->type_name("IN");
     command->add_flag("--json", options->json, "as JSON");

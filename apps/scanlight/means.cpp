@@ -7,7 +7,7 @@
 
 #include "apps/scanlight/choice_option.h"
 #include "apps/scanlight/help_heading.h"
-#include "apps/scanlight/usage_error.h"
+#include "apps/scene/usage_error.h"
 
 namespace scanlight::apps {
 
@@ -32,6 +32,11 @@ std::string_view parse_instructions(const std::string& text) {
 }
 
 }  // namespace
+
+Words<DrawPath> words_beside(DrawPath) {
+    using enum DrawPath;
+    return {{"fast", fast}, {"textbook", textbook}};
+}
 
 void check(const Means& means) {
     const auto& [threads, instructions] = means.execution;

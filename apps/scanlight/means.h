@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/scene/words.h"
 #include "render/renderer.h"
 
 namespace CLI {
@@ -10,6 +11,8 @@ namespace scanlight::apps {
 
 /// The two ways through the renderer: vectors and threads, or the textbook's scanline walk.
 enum class DrawPath { fast, textbook };
+
+Words<DrawPath> words_beside(DrawPath);
 
 /// By what means a picture is drawn. None of it changes a bit of the picture.
 struct Means {

@@ -36,6 +36,8 @@ void add_commands(CLI::App& program) {
     add_steps_command(program);
     add_gallery_command(program);
     add_shapes_command(program);
+    add_turntable_command(program);
+    add_scene_command(program);
     for (CLI::App* command : program.get_subcommands({})) {
         command->set_version_flag("--version", program.version());
     }

@@ -14,10 +14,12 @@
 #include "apps/scanlight/picture.h"
 #include "apps/scanlight/print_data.h"
 #include "apps/scanlight/progress.h"
-#include "apps/scanlight/scene_setup.h"
 #include "apps/scanlight/statistics.h"
-#include "apps/scanlight/stopwatch.h"
-#include "apps/scanlight/usage_error.h"
+#include "apps/scene/scene_setup.h"
+#include "apps/scene/stopwatch.h"
+#include "apps/scene/usage_error.h"
+#include "apps/scene/write_scene.h"
+#include "raster/save_file.h"
 #include "raster/save_image.h"
 #include "render/draw.h"
 
@@ -39,6 +41,7 @@ struct RenderOptions {
     std::string format;
     std::vector<AovOption> aovs;
     std::string statistics;
+    std::string saved_scene;
     bool quiet = false;
 };
 
@@ -77,9 +80,10 @@ void add_output_options(CLI::App& app, RenderOptions& options) {
                for (const auto& text : texts)
                    options.aovs.push_back(parse_aov(text));
            },
-           "another picture, repeatable: depth (16-bit PNG, or distance in PFM), normal\n"
-           "(colours, or PFM), id (polygon number in 24 bits, or PFM), stencil (in how many\n"
-           "shadow volumes the surface lies, as a heat map, or PFM)")
+           "another picture, of the pixels' centres whatever --samples, repeatable: depth\n"
+           "(16-bit PNG, or distance in PFM), normal (colours, or PFM),\n"
+           "id (polygon number in 24 bits, or PFM), stencil (in how many shadow volumes the\n"
+           "surface lies, as a heat map, or PFM)")
         ->type_name("depth|normal|id|stencil:PATH")
         ->allow_extra_args(false);
     app.add_option(
@@ -87,14 +91,19 @@ void add_output_options(CLI::App& app, RenderOptions& options) {
            "counts and times, on standard output, or on standard error if a picture goes there")
         ->type_name("json|text")
         ->check(one_of({"json", "text"}));
+    app.add_option("--save-scene", options.saved_scene,
+                   "a scene file (TOML) that draws this picture, with all options in it; - is\n"
+                   "standard output")
+        ->type_name("PATH");
     app.add_flag("-q,--quiet", options.quiet, "no messages but errors");
 }
 
 // ---- output
 
 std::string default_output(const std::string& input) {
-    if (input == "-") return "scanlight.png";
-    const std::string name = input.substr(input.starts_with("shape:") ? 6 : 0);
+    const bool has_prefix = input.starts_with("shape:") || input.starts_with("scene:");
+    const std::string name = input.substr(has_prefix ? 6 : 0);
+    if (name == "-") return "scanlight.png";
     const std::string whole = std::filesystem::path(name).stem().string();
     const std::string stem = whole.substr(0, whole.find(':'));  // "torus:48,24" is a torus
     return (stem.empty() ? "scanlight" : stem) + ".png";
@@ -208,11 +217,21 @@ void check_outputs(RenderOptions& options) {
         if (!paths.insert(aov.path).second)
             throw UsageError(aov.path + ": two pictures of one name");
     }
+    if (!options.saved_scene.empty() && !paths.insert(options.saved_scene).second)
+        throw UsageError(options.saved_scene + ": a picture and a scene of one name");
+    check_size(options.scene);
+}
+
+void save_scene(const RenderOptions& options) {
+    if (options.saved_scene.empty()) return;
+    const auto folder = std::filesystem::path(options.saved_scene).parent_path().generic_string();
+    raster::save_file(options.saved_scene, scene_text(options.scene, folder));
 }
 
 bool uses_standard_output(const RenderOptions& options) {
     const auto is_pipe = [](const AovOption& aov) { return aov.path == "-"; };
-    return options.output == "-" || std::ranges::any_of(options.aovs, is_pipe);
+    return options.output == "-" || options.saved_scene == "-" ||
+           std::ranges::any_of(options.aovs, is_pipe);
 }
 
 void say(const RenderOptions& options, const std::string& message) {
@@ -224,10 +243,10 @@ void render(RenderOptions& options) {
     check_outputs(options);
     Progress progress(options.quiet ? Progress::When::never : Progress::When::on_terminal);
     progress.now("loading " + options.scene.input);
-    const Model model = load_model(options.scene);
-    for (const auto& warning : warnings_of(model))
+    const Models models = load_models(options.scene);
+    for (const auto& warning : warnings_of(models))
         say(options, "scanlight: " + warning);
-    const render::Scene scene = scene_of(model, options.scene);
+    const render::Scene scene = scene_of(models, options.scene);
 
     Stopwatch stopwatch;
     progress.now("drawing " + options.scene.input);
@@ -237,7 +256,8 @@ void render(RenderOptions& options) {
     save_color(picture, options);
     for (const auto& aov : options.aovs)
         save_aov(aov, scene, options.scene, picture);
-    const Statistics statistics{model, options.scene, picture.report, draw_seconds,
+    save_scene(options);
+    const Statistics statistics{models, options.scene, picture.report, draw_seconds,
                                 stopwatch.lap()};
     if (!options.statistics.empty()) {
         const std::string text =
@@ -251,7 +271,8 @@ void render(RenderOptions& options) {
 
 void add_render_command(CLI::App& program) {
     auto options = std::make_shared<RenderOptions>();
-    CLI::App* command = program.add_subcommand("render", "A mesh file into a shaded picture");
+    CLI::App* command =
+        program.add_subcommand("render", "A mesh or scene file into a shaded picture");
     add_scene_options(*command, options->scene);
     add_canvas_options(*command, options->scene);
     add_output_options(*command, *options);
@@ -272,6 +293,7 @@ void add_render_command(CLI::App& program) {
         "0.3\n"
         "  scanlight render sphere -o s.png --illumination hall --material \"kdt=0.6\" --light "
         "0,0,-1\n"
+        "  scanlight render room.toml -o room.png --samples 16 --size 1920x1080\n"
         "  scanlight render part.stl -o - --background none --format png > part.png\n"
         "  scanlight render cow.obj -o cow.png --aov depth:z.png --aov normal:n.pfm --stats json");
     command->callback([options] { render(*options); });

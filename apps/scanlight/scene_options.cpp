@@ -4,31 +4,53 @@
 #include <vector>
 
 #include "apps/scanlight/choice_option.h"
+#include "apps/scanlight/facet_options.h"
 #include "apps/scanlight/help_heading.h"
 #include "apps/scanlight/text_option.h"
-#include "apps/scanlight/usage_error.h"
+#include "apps/scene/read_scene.h"
+#include "apps/scene/usage_error.h"
 
 namespace scanlight::apps {
 
 namespace {
+
+/// What the command line says holds for all objects, whatever a scene file says of them.
+template <class Forget>
+void for_all_objects(CLI::Option* option, SceneOptions& o, Forget forget) {
+    option->each([&o, forget](const std::string&) {
+        for (ObjectOptions& object : o.objects)
+            forget(object);
+    });
+}
 
 void add_picture_options(CLI::App& app, SceneOptions& o) {
     const HelpHeading heading(app, "Picture");
     add_text(app, "-s,--size", "WxH", "picture size in pixels", [&o](const std::string& text) {
         o.size = parse_size(text);
     })->default_str(std::to_string(o.size.width) + "x" + std::to_string(o.size.height));
-    add_choice(app, "--shading", o.settings.shading,
-               "one intensity a polygon, intensities interpolated, or normals");
-    add_choice(
-        app, "--illumination", o.settings.illumination,
-        "the illumination model: (R.V)^n for phong, (N.H)^n for blinn, and for hall, who adds\n"
-        "light from behind; microfacets for cook-torrance");
-    add_choice(app, "--interpolation", o.polygons,
-               "n-gons by the textbook's bilinear rule, or cut into triangles first");
-    add_choice(app, "--perspective", o.settings.perspective,
-               "attributes even over the object, or (affine) over the screen as in the textbook");
-    add_choice(app, "--cull", o.settings.cull, "polygons to leave out");
-    add_choice(app, "--sides", o.settings.sides, "light the front only, or the side that is seen");
+    for_all_objects(add_choice(app, "--shading", o.settings.shading,
+                               "one intensity a polygon, intensities interpolated, or normals"),
+                    o, [](ObjectOptions& object) { object.own.shading.reset(); });
+    for_all_objects(
+        add_choice(
+            app, "--illumination", o.settings.illumination,
+            "the illumination model: (R.V)^n for phong, (N.H)^n for blinn, and for hall, who adds\n"
+            "light from behind; microfacets for cook-torrance"),
+        o, [](ObjectOptions& object) { object.own.illumination.reset(); });
+    for_all_objects(
+        add_choice(app, "--interpolation", o.polygons,
+                   "n-gons by the textbook's bilinear rule, or cut into triangles first"),
+        o, [](ObjectOptions& object) { object.polygons.reset(); });
+    for_all_objects(
+        add_choice(
+            app, "--perspective", o.settings.perspective,
+            "attributes even over the object, or (affine) over the screen as in the textbook"),
+        o, [](ObjectOptions& object) { object.own.perspective.reset(); });
+    for_all_objects(add_choice(app, "--cull", o.settings.cull, "polygons to leave out"), o,
+                    [](ObjectOptions& object) { object.own.cull.reset(); });
+    for_all_objects(add_choice(app, "--sides", o.settings.sides,
+                               "light the front only, or the side that is seen"),
+                    o, [](ObjectOptions& object) { object.own.sides.reset(); });
     add_choice(app, "--distances", o.settings.distances,
                "eye and lights at their places, or at infinity as in the textbook");
 }
@@ -72,33 +94,50 @@ void add_shadow_options(CLI::App& app, SceneOptions& o) {
             o);
 }
 
+/// The colours alone: what is said of facets and textures stays.
+void set_colors(MaterialOptions& material, MaterialOptions colors) {
+    colors.facets = material.facets;
+    colors.textures = material.textures;
+    material = std::move(colors);
+}
+
+void add_sample_option(CLI::App& app, SceneOptions& o) {
+    const HelpHeading heading(app, "Picture");
+    add_text(app, "--samples", "1|4|16",
+             "samples a pixel, in a square grid, averaged in linear light, against jagged edges",
+             [&o](const std::string& text) { o.settings.grid = parse_samples(text); })
+        ->default_str("1");
+}
+
 void add_mesh_options(CLI::App& app, SceneOptions& o) {
     const HelpHeading heading(app, "Mesh and surface");
-    add_choice(app, "--normals", o.normals.weight,
-               "vertex normals: the faces' mean, weighted, or the file's");
-    app.add_option("--crease", o.normals.crease_deg,
-                   "faces at a larger angle than this share no normal; 180 smooths all")
-        ->type_name("DEG")
-        ->check(within(0.0, 180.0))
-        ->capture_default_str();
+    for_all_objects(add_choice(app, "--normals", o.normals.weight,
+                               "vertex normals: the faces' mean, weighted, or the file's"),
+                    o, [](ObjectOptions& object) { object.normals.reset(); });
+    for_all_objects(app.add_option("--crease", o.normals.crease_deg,
+                                   "faces at a larger angle than this share no normal; 180 smooths "
+                                   "all")
+                        ->type_name("DEG")
+                        ->check(within(0.0, 180.0))
+                        ->capture_default_str(),
+                    o, [](ObjectOptions& object) { object.crease_deg.reset(); });
     add_text(
         app, "--material", "\"kd=C ks=C n=N\"",
         "the surface, instead of the file's: ka, kd, ks, mirror (colours), n (exponent), opacity\n"
         "(0 to 1), and for hall kdt, kt, nt, the same of light from behind; any of them",
-        [&o](const std::string& text) {
-            parse_material(text, {});  // what is wrong with it is said at once
-            o.material = text;
-        });
+        [&o](const std::string& text) { set_colors(o.material, parse_material(text)); });
     app.add_option_function<std::vector<std::string>>(
            "--texture",
            [&o](const std::vector<std::string>& texts) {
-               for (const auto& text : texts)
-                   o.textures.push_back(parse_texture(text));
+               for (const auto& text : texts) {
+                   auto [slot, texture] = parse_texture(text);
+                   add_texture(o, slot, std::move(texture));
+               }
            },
            "what changes over the surface, repeatable, instead of the file's. SLOT: diffuse, "
-           "specular, ambient, "
-           "exponent,\n"
-           "exponent, bump, normal. KIND: image:PATH, checker, stripes, gradient, waves, and in "
+           "specular,\n"
+           "ambient, exponent, opacity, bump, normal. KIND: image:PATH, checker, stripes, "
+           "gradient, waves, and in "
            "space wood,\n"
            "marble, cubes. Then any of mapping=uv|planar|cylindrical|chapter-cylinder|spherical,\n"
            "axis=x|y|z, scale=N, repeat=U[,V], offset=U[,V], count=N, bend=N, low=COLOUR,\n"
@@ -109,16 +148,17 @@ void add_mesh_options(CLI::App& app, SceneOptions& o) {
                  "leave out the textures that the mesh's own materials name");
 }
 
-/// What the chosen model does not know is refused.
-void check_model(const SceneOptions& o, const std::vector<ModelOption>& options) {
+/// What none of the chosen models knows is refused.
+void check_models(const SceneOptions& o, const std::vector<ModelOption>& options,
+                  const CLI::Option* material) {
     using enum shading::Illumination;
-    const auto chosen = o.settings.illumination;
+    const IlluminationModels chosen = models_in(o);
     for (const ModelOption& given : options) {
         if (given.option->count() > 0)
             require_model(given.option->get_name(), chosen, given.models);
     }
     if (o.show == Show::fresnel) require_model("--show fresnel", chosen, {cook_torrance});
-    if (!shading::is_opaque(parse_material(o.material, {}).transmission))
+    if (material->count() > 0 && !shading::is_opaque(with({}, o.material).transmission))
         require_model("material kdt and kt", chosen, {hall});
 }
 
@@ -126,12 +166,13 @@ void add_camera_options(CLI::App& app, SceneOptions& o) {
     const HelpHeading heading(app, "Camera");
     CLI::Option* view =
         add_text(app, "--view", "AZ,EL", "look from this azimuth and elevation, in degrees",
-                 [&o](const std::string& text) { o.view = parse_view(text); })
+                 [&o](const std::string& text) { look_from(o, parse_view(text)); })
             ->default_str("30,20");
-    CLI::Option* fov = app.add_option("--fov", o.fov_deg, "vertical field of view, in degrees")
-                           ->type_name("DEG")
-                           ->check(within(1.0, 170.0))
-                           ->capture_default_str();
+    CLI::Option* fov =
+        add_text(app, "--fov", "DEG", "vertical field of view, in degrees",
+                 [&o](const std::string& text) { set_field_of_view(o, parse_number(text, "fov")); })
+            ->check(within(1.0, 170.0))
+            ->default_str("30");
     app.add_option("--lens", o.lens_mm, "focal length for a frame 24 mm high, instead of --fov")
         ->type_name("MM")
         ->check(within(1.0, 5000.0))
@@ -142,7 +183,10 @@ void add_camera_options(CLI::App& app, SceneOptions& o) {
         ->capture_default_str();
     CLI::Option* eye =
         add_text(app, "--eye", "X,Y,Z", "the camera's place in the world, instead of --view",
-                 [&o](const std::string& text) { o.eye = parse_point(text, "eye"); })
+                 [&o](const std::string& text) {
+                     o.eye = parse_point(text, "eye");
+                     o.camera_keys.clear();
+                 })
             ->excludes(view);
     add_text(app, "--target", "X,Y,Z", "what --eye looks at; the middle of the mesh if not given",
              [&o](const std::string& text) { o.target = parse_point(text, "target"); })
@@ -154,6 +198,7 @@ void add_light_options(CLI::App& app, SceneOptions& o) {
     app.add_option_function<std::vector<std::string>>(
            "--light",
            [&o](const std::vector<std::string>& texts) {
+               o.lights.clear();  // those of a scene file
                for (const auto& text : texts)
                    o.lights.push_back(parse_light(text));
            },
@@ -165,17 +210,24 @@ void add_light_options(CLI::App& app, SceneOptions& o) {
         ->allow_extra_args(false);
     app.add_option("--falloff-k", o.falloff_k, "k of inverse-plus-k, in world units")
         ->check(within(1e-6, 1e6))
-        ->capture_default_str();
-    app.add_option("--gouraud71-k", o.settings.gouraud71_k, "k of gouraud71, in world units")
-        ->check(within(1e-6, 1e6))
-        ->capture_default_str();
-    app.add_option("--environment", o.environment,
+        ->capture_default_str()
+        ->each([&o](const std::string&) {
+            for (LightOption& light : o.lights)
+                light.falloff_k.reset();
+        });
+    for_all_objects(
+        app.add_option("--gouraud71-k", o.settings.gouraud71_k, "k of gouraud71, in world units")
+            ->check(within(1e-6, 1e6))
+            ->capture_default_str(),
+        o, [](ObjectOptions& object) { object.own.gouraud71_k.reset(); });
+    app.add_option("--environment", o.environment.image,
                    "a picture of all directions, or the built-in room, seen behind everything;\n"
                    "surfaces with a mirror= colour reflect it in Phong shading")
-        ->type_name("FILE|room");
-    add_choice(app, "--environment-layout", o.environment_layout,
+        ->type_name("FILE|room")
+        ->each([&o](const std::string&) { o.environment.stated_at.clear(); });
+    add_choice(app, "--environment-layout", o.environment.layout,
                "longitude and latitude with y up, or a mirror ball seen from the camera");
-    app.add_flag("--environment-light", o.environment_light,
+    app.add_flag("--environment-light", o.environment.lights,
                  "the environment lights matt surfaces too, in Phong shading");
     add_text(app, "--ambient", "COLOUR", "the ambient light I_a: #rrggbb, or linear grey or r,g,b",
              [&o](const std::string& text) { o.ambient = parse_color(text); })
@@ -183,32 +235,6 @@ void add_light_options(CLI::App& app, SceneOptions& o) {
 }
 
 }  // namespace
-
-Wireframe wireframe_of(const SceneOptions& options) {
-    const std::string& word = options.wireframe_word;
-    if (word.empty()) return Wireframe::none;
-    if (word == "all") return Wireframe::all;
-    if (word == "hidden") return Wireframe::hidden;
-    if (word == "over") return Wireframe::over;
-    throw UsageError("wireframe '" + word + "': expected all, hidden or over");
-}
-
-void check_shadows(const SceneOptions& options) {
-    const render::Shadows method = options.settings.shadows;
-    if (!options.shadow_map_option.empty() && method != render::Shadows::map)
-        throw UsageError(options.shadow_map_option + " is for --shadows map");
-    if (options.show == Show::stencil) volumes_for("--show stencil", options);
-    if (options.show == Show::details && method != render::Shadows::polygons)
-        throw UsageError("--show details is for --shadows polygons");
-}
-
-render::Shadows volumes_for(const std::string& what, const SceneOptions& options) {
-    const render::Shadows method = options.settings.shadows;
-    if (method == render::Shadows::none) return render::Shadows::zfail;
-    if (render::counts_volumes(method)) return method;
-    throw UsageError(what + " counts shadow volumes, of which --shadows " + word_of(method) +
-                     " has none; zpass and zfail have");
-}
 
 SceneOptions parse_scene(const std::string& command_line) {
     SceneOptions options;
@@ -221,14 +247,18 @@ SceneOptions parse_scene(const std::string& command_line) {
 }
 
 void add_scene_options(CLI::App& app, SceneOptions& options) {
-    app.add_option("input", options.input, "mesh file (OBJ, PLY, OFF, STL), - or a built-in shape")
-        ->required()
-        ->type_name("IN");
+    add_text(app, "input", "IN",
+             "scene file (.toml), mesh file (OBJ, PLY, OFF, STL), - or a built-in shape",
+             [&options](const std::string& input) { set_input(options, input); })
+        ->required();
     add_picture_options(app, options);
+    add_sample_option(app, options);
     add_shadow_options(app, options);
     add_mesh_options(app, options);
-    const auto of_models = add_facet_options(app, options.facets);
-    app.parse_complete_callback([&options, of_models] { check_model(options, of_models); });
+    const auto of_models = add_facet_options(app, options.material.facets);
+    const CLI::Option* material = app.get_option("--material");
+    app.parse_complete_callback(
+        [&options, of_models, material] { check_models(options, of_models, material); });
     add_camera_options(app, options);
     add_light_options(app, options);
 }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "apps/scanlight/json.h"
 #include "apps/scanlight/text_table.h"
+#include "apps/scene/json.h"
 
 namespace scanlight::apps {
 

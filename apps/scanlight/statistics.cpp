@@ -1,9 +1,9 @@
 #include "apps/scanlight/statistics.h"
 
-#include "apps/scanlight/json.h"
 #include "apps/scanlight/process_memory.h"
 #include "apps/scanlight/text_table.h"
-#include "apps/scanlight/words.h"
+#include "apps/scene/json.h"
+#include "apps/scene/words.h"
 
 namespace scanlight::apps {
 
@@ -35,12 +35,12 @@ Json means_json(const Statistics& s) {
 }
 
 Json input_json(const Statistics& s) {
-    const auto& report = s.model.report;
+    const auto [report, vertices, load, build] = totals_of(s.models);
     return {{"faces",
              {{"in_file", report.faces_in},
               {"zero_area", report.zero_area},
               {"few_corners", report.few_corners}}},
-            {"vertices", s.model.mesh.vertices.size()}};
+            {"vertices", vertices}};
 }
 
 Json counts_json(const render::DrawCounts& counts) {
@@ -59,8 +59,9 @@ Json counts_json(const render::DrawCounts& counts) {
 /// Drawing takes the four stages that follow it, and what comes before and after them.
 Json times_json(const Statistics& s) {
     const auto& stages = s.picture.drawing.seconds;
-    return {{"load", time_json(s.model.load_seconds)},
-            {"build", time_json(s.model.build_seconds)},
+    const ModelTotals totals = totals_of(s.models);
+    return {{"load", time_json(totals.load_seconds)},
+            {"build", time_json(totals.build_seconds)},
             {"draw", time_json(s.draw_seconds)},
             {"vertices", fast_only(s, time_json(stages.vertices))},
             {"bins", fast_only(s, time_json(stages.bins))},
@@ -79,7 +80,7 @@ double megapixels(raster::Viewport size) {
 }
 
 Json json_of(const Statistics& s) {
-    Json json{{"input", s.model.name},
+    Json json{{"input", s.options.input},
               {"width", s.options.size.width},
               {"height", s.options.size.height},
               {"megapixels", megapixels(s.options.size)}};
@@ -109,7 +110,7 @@ std::string drawn_text(const Statistics& s) {
 }
 
 std::string left_out_text(const Statistics& s) {
-    const auto& report = s.model.report;
+    const auto report = totals_of(s.models).report;
     if (report.faces_in == 0) return ", as the file has no faces";
     const std::size_t left_out = report.faces_in - report.drawn;
     if (left_out == 0) return "";

@@ -2,15 +2,15 @@
 
 #include <string>
 
-#include "apps/scanlight/model.h"
 #include "apps/scanlight/picture.h"
 #include "apps/scanlight/scene_options.h"
+#include "apps/scene/models.h"
 
 namespace scanlight::apps {
 
 /// What `--stats` tells of one run.
 struct Statistics {
-    const Model& model;
+    const Models& models;
     const SceneOptions& options;
     PictureReport picture;
     double draw_seconds;

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "apps/scanlight/commands.h"
-#include "apps/scanlight/scene_setup.h"
 #include "apps/scanlight/shadow_report.h"
 #include "apps/scanlight/steps_report.h"
-#include "apps/scanlight/usage_error.h"
+#include "apps/scene/scene_setup.h"
+#include "apps/scene/usage_error.h"
 #include "raster/save_file.h"
 #include "render/steps.h"
 
@@ -25,6 +25,7 @@ struct StepsOptions {
     SceneOptions scene;
     std::string output = "-";
     std::string polygon;  // a number, "all", or empty for the tallest
+    int object = 1;       // of a scene file, in its order
     std::string pixel;    // X,Y: its shadows, instead of polygons
     bool json = false;
 };
@@ -117,13 +118,24 @@ std::string pixel_report(const render::Scene& scene, const StepsOptions& options
     return text;
 }
 
+/// The chosen object comes first: its polygons are those that are told of.
+render::Scene with_first(render::Scene scene, int object, std::size_t objects) {
+    if (object < 1 || static_cast<std::size_t>(object) > objects) {
+        throw UsageError("object " + std::to_string(object) + ": expected one of " +
+                         std::to_string(objects));
+    }
+    std::swap(scene.objects.front(), scene.objects[static_cast<std::size_t>(object) - 1]);
+    return scene;
+}
+
 void steps(const StepsOptions& options) {
     check_shadows(options.scene);
     if (!options.pixel.empty()) volumes_for("--pixel", options.scene);
-    const Model model = load_model(options.scene);
-    for (const auto& warning : warnings_of(model))
+    const Models models = load_models(options.scene);
+    for (const auto& warning : warnings_of(models))
         std::fprintf(stderr, "scanlight: %s\n", warning.c_str());
-    const render::Scene scene = scene_of(model, options.scene);
+    const render::Scene scene =
+        with_first(scene_of(models, options.scene), options.object, options.scene.objects.size());
     if (!options.pixel.empty())
         return raster::save_file(options.output, pixel_report(scene, options));
     const Seen seen = render::seen_polygons(scene, options.scene.settings, options.scene.size);
@@ -136,7 +148,7 @@ void steps(const StepsOptions& options) {
 
 /// What suits a page: few pixels, one intensity that varies, the textbook's even interpolation.
 void set_defaults(SceneOptions& scene) {
-    scene.material = "kd=0.6 ks=0.4 n=8";
+    scene.material = parse_material("kd=0.6 ks=0.4 n=8");
     scene.size = {24, 16};
     scene.settings.shading = render::Shading::gouraud;
     scene.settings.perspective = render::Perspective::affine;
@@ -154,6 +166,11 @@ void add_steps_command(CLI::App& program) {
         ->add_option("--polygon", options->polygon,
                      "a polygon by its number in the file, or all; the tallest if not given")
         ->type_name("N|all");
+    command
+        ->add_option("--object", options->object,
+                     "whose polygons, of a scene file's objects in their order")
+        ->type_name("N")
+        ->capture_default_str();
     command
         ->add_option(
             "--pixel", options->pixel,
@@ -174,6 +191,7 @@ void add_steps_command(CLI::App& program) {
         "  scanlight steps shape:star --view 0,0\n"
         "  scanlight steps ngon:3 --view 10,30 --light point:0,0,2 --shading phong\n"
         "  scanlight steps cube --polygon all --json -o cube.json\n"
+        "  scanlight steps docs/scenes/still-life.toml --object 5 --shading flat\n"
         "  scanlight steps cube --floor --shadows zfail --pixel 5,14");
     command->callback([options] { steps(*options); });
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "apps/scanlight/json.h"
 #include "apps/scanlight/text_table.h"
-#include "apps/scanlight/words.h"
+#include "apps/scene/json.h"
+#include "apps/scene/words.h"
 
 namespace scanlight::apps {
 

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "apps/scanlight/parse.h"
+#include "apps/scene/parse.h"
 
 namespace scanlight::apps {
 

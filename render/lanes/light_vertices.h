@@ -26,7 +26,7 @@ private:
         const VectorLanes normal = vector_at(pass_.vertices.normals, i);
         const VectorLanes view = view_from(pass_.frame->viewpoint, point);
         write(light({point, normal, view}, i), pass_.front, i);
-        if (pass_.settings->sides == Sides::two) {
+        if (pass_.settings.sides == Sides::two) {
             write(light({point, -normal, view}, i), pass_.back, i);
         }
     }

@@ -22,7 +22,7 @@ std::int32_t place_vertices(ObjectPass& pass, std::size_t begin, std::size_t end
 }
 
 float light_vertices(ObjectPass& pass, std::size_t begin, std::size_t end) {
-    return with_model(*pass.settings, [&](auto model) {
+    return with_model(pass.settings, [&](auto model) {
         return with_paint(pass.mesh(), [&](auto paint) {
             return VertexLighter<decltype(model), paint>(pass, model).light(begin, end);
         });
@@ -37,19 +37,17 @@ void draw(const ObjectPass& pass, std::span<const raster::FaceItem> items, const
 
 void see_colors(const ObjectPass& pass, std::span<const raster::FaceItem> items,
                 raster::Encoding encoding, raster::VisibleBand& band, raster::Walker& walker) {
-    if (pass.settings->shading == Shading::flat)
+    if (pass.settings.shading == Shading::flat)
         return draw(pass, items, KeepFlatColor(pass, encoding), band, walker);
     if (encoding == raster::Encoding::srgb)
         return draw(pass, items, KeepGouraudColor<raster::Encoding::srgb>(pass), band, walker);
     draw(pass, items, KeepGouraudColor<raster::Encoding::linear>(pass), band, walker);
 }
 
-void see(const ObjectPass& pass, std::span<const raster::FaceItem> items, const Target& target,
-         raster::VisibleBand& band, raster::Walker& walker) {
-    if (lights_at_once(*pass.settings, target)) {
-        const auto encoding = std::get_if<PackedTarget>(&target)->encoding;
-        return see_colors(pass, items, encoding, band, walker);
-    }
+void see(const ObjectPass& pass, std::span<const raster::FaceItem> items,
+         std::optional<raster::Encoding> at_once, raster::VisibleBand& band,
+         raster::Walker& walker) {
+    if (at_once) return see_colors(pass, items, *at_once, band, walker);
     const std::int32_t first = pass.faces.first;
     switch (pass.attributes.count) {
         case 3:

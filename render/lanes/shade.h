@@ -119,7 +119,7 @@ public:
 
     /// A lane is a polygon, or a pixel of one.
     ColorLanes color_of(Ints item, Ints shadowed = Ints(0)) const {
-        return with_model(*pass_.settings, [&](auto model) { return lit(model, item, shadowed); });
+        return with_model(pass_.settings, [&](auto model) { return lit(model, item, shadowed); });
     }
 
 private:
@@ -342,14 +342,14 @@ private:
 /// Calls `use` with the technique that lights the object's pixels.
 template <class Use>
 decltype(auto) with_technique(const ObjectPass& pass, Use&& use) {
-    if (pass.settings->shading == Shading::flat) return use(FlatLanes(pass));
-    if (pass.settings->shading == Shading::gouraud) return use(GouraudLanes(pass));
+    if (pass.settings.shading == Shading::flat) return use(FlatLanes(pass));
+    if (pass.settings.shading == Shading::gouraud) return use(GouraudLanes(pass));
     if (!pass.textures.empty()) {
-        return with_model(*pass.settings, [&](auto model) {
+        return with_model(pass.settings, [&](auto model) {
             return use(TexturedPhongLanes<decltype(model)>(pass, model));
         });
     }
-    return with_model(*pass.settings, [&](auto model) {
+    return with_model(pass.settings, [&](auto model) {
         return with_paint(pass.mesh(), [&](auto paint) {
             return use(PhongLanes<decltype(model), paint>(pass, model));
         });

@@ -13,7 +13,7 @@ using namespace raster::HWY_NAMESPACE;
 inline std::size_t store_floats(const VectorStreams& row, FaceRange faces,
                                 const std::int32_t* items, const FloatTarget& target, int y,
                                 Background background) {
-    const auto to = target.plane->row(y);
+    const auto to = target.row(y);
     std::size_t pixels = 0;
     for (std::size_t x = 0; x < to.size(); ++x) {
         const bool shown = faces.holds(items[x]);
@@ -70,7 +70,7 @@ SCANLIGHT_FLATTEN std::size_t store_columns(const VectorStreams& row, FaceRange 
 
 /// Columns in which nothing is seen.
 inline void store_background(raster::Columns seen, const PackedTarget& target, int y) {
-    const auto to = target.plane->row(y);
+    const auto to = target.row(y);
     std::fill_n(to.begin(), seen.begin, target.background);
     std::fill(to.begin() + seen.end, to.end(), target.background);
 }
@@ -81,7 +81,7 @@ std::size_t store_packed(const VectorStreams& row, FaceRange faces, raster::Visi
     const raster::Columns columns = band.touched();
     if (background == Background::drawn) store_background(columns, target, y);
     return store_columns<encoding>(row, faces, band.kept_row(0, y), columns, target,
-                                   reinterpret_cast<std::int32_t*>(target.plane->row(y).data()),
+                                   reinterpret_cast<std::int32_t*>(target.row(y).data()),
                                    background);
 }
 
@@ -91,7 +91,7 @@ SCANLIGHT_FLATTEN inline void store_pixels(raster::VisibleBand& band, int y,
     const raster::Columns columns = band.touched();
     if (columns.begin >= columns.end) return store_background({0, 0}, target, y);
     store_background(columns, target, y);
-    auto* out = reinterpret_cast<std::int32_t*>(target.plane->row(y).data());
+    auto* out = reinterpret_cast<std::int32_t*>(target.row(y).data());
     const Ints nothing(static_cast<std::int32_t>(target.background));
     for (int x = columns.begin; x < columns.end; x += lane_count) {
         const raster::PixelPlace at = band.row(y) + x;

@@ -1,4 +1,4 @@
-#include "apps/scanlight/parse.h"
+#include "apps/scene/parse.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 
 #include "apps/scanlight/scene_options.h"
-#include "apps/scanlight/usage_error.h"
+#include "apps/scene/usage_error.h"
 #include "raster/srgb.h"
 
 namespace scanlight::apps {
@@ -158,25 +158,25 @@ shading::Material<float> base_material() {
 }
 
 TEST(ParseMaterial, ChangesOnlyWhatItNames) {
-    const auto material = parse_material("ks=0.9 n=50", base_material());
+    const auto material = with(base_material(), parse_material("ks=0.9 n=50"));
     EXPECT_EQ(material.ambient, glm::vec3(0.1f));
     EXPECT_EQ(material.diffuse, glm::vec3(0.2f));
     EXPECT_EQ(material.specular, glm::vec3(0.9f));
     EXPECT_EQ(material.exponent.value(), 50.0);
-    EXPECT_EQ(parse_material("", base_material()).exponent.value(), 7.0);
+    EXPECT_EQ(with(base_material(), parse_material("")).exponent.value(), 7.0);
 }
 
 TEST(ParseMaterial, DiffuseAloneIsTheAmbientColorToo) {
-    EXPECT_EQ(parse_material("kd=0.5", base_material()).ambient, glm::vec3(0.5f));
+    EXPECT_EQ(with(base_material(), parse_material("kd=0.5")).ambient, glm::vec3(0.5f));
     for (const auto* text : {"kd=0.5 ka=0.05", "ka=0.05  kd=0.5"}) {
-        const auto material = parse_material(text, base_material());
+        const auto material = with(base_material(), parse_material(text));
         EXPECT_EQ(material.ambient, glm::vec3(0.05f));
         EXPECT_EQ(material.diffuse, glm::vec3(0.5f));
     }
 }
 
 TEST(ParseMaterial, KnowsWhatComesThrough) {
-    const auto material = parse_material("kdt=0.5 kt=0.1,0.2,0.3 nt=9", base_material());
+    const auto material = with(base_material(), parse_material("kdt=0.5 kt=0.1,0.2,0.3 nt=9"));
     EXPECT_EQ(material.transmission.diffuse, glm::vec3(0.5f));
     EXPECT_EQ(material.transmission.specular, glm::vec3(0.1f, 0.2f, 0.3f));
     EXPECT_EQ(material.transmission.exponent.value(), 9.0);
@@ -190,7 +190,7 @@ TEST(ParseMetal, FindsItByItsName) {
 }
 
 TEST(ParseMaterial, RefusesTheRest) {
-    expect_refused([](const auto& text) { parse_material(text, base_material()); },
+    expect_refused([](const auto& text) { parse_material(text); },
                    {"kd", "kd=", "=1", "kd=red", "n=x", "n=", "n=nan", "shine=3", "kd=0.5=0.5",
                     "kd=0.5,ks=0.5", "kd = 0.5", "kd=-1", "nt=-1", "kdt=blue", "kst=1"});
 }
@@ -202,7 +202,8 @@ TEST(ParseScene, IsTheCommandLineOfRender) {
     EXPECT_EQ(options.input, "teapot:4");
     EXPECT_EQ(options.size.width, 20);
     EXPECT_EQ(options.settings.shading, render::Shading::flat);
-    EXPECT_EQ(options.material, "kd=#fff n=5");
+    EXPECT_EQ(options.material.diffuse, glm::vec3(1.0f));
+    EXPECT_EQ(options.material.exponent, 5.0);
     EXPECT_EQ(wireframe_of(options), Wireframe::over);
     ASSERT_EQ(options.lights.size(), 2u);
     EXPECT_EQ(options.lights[1].frame, LightFrame::world);

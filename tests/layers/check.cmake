@@ -18,14 +18,16 @@ set(tests_may_include   mesh shading raster render apps tests)
 
 # A library, and the files that may include it. OpenMesh stays behind `mesh`, so that whoever draws
 # sees plain arrays; tests and benchmarks may compare themselves with what they please.
-set(libraries OpenMesh stb png libdeflate polyclipping CLI nlohmann gtest benchmark tiny_obj_loader)
+set(libraries OpenMesh stb png gif_lib libdeflate polyclipping CLI nlohmann toml++ gtest benchmark tiny_obj_loader)
 set(OpenMesh_seen_by        "^(mesh|tests|apps/bench)/")
 set(stb_seen_by             "^(raster/.*\\.cpp$|tests/)")
 set(png_seen_by             "^(raster/.*\\.cpp$|tests/)")
+set(gif_lib_seen_by         "^(raster/.*\\.cpp$|tests/)")
 set(libdeflate_seen_by      "^(raster/.*\\.cpp$|tests/)")
 set(polyclipping_seen_by    "^render/.*\\.cpp$")
 set(CLI_seen_by             "^(apps|tests)/")
 set(nlohmann_seen_by        "^(apps|tests)/")
+set(toml++_seen_by          "^apps/scene/.*\\.cpp$")
 set(gtest_seen_by           "^tests/")
 set(benchmark_seen_by       "^apps/bench/")
 set(tiny_obj_loader_seen_by "^(tests|apps/bench)/")

@@ -9,7 +9,7 @@ export SCANLIGHT_SYSROOT=$folder/root
 fail() { echo "neon: $*" >&2; exit 1; }
 
 unpack_libraries() {
-    local packages=libopenmesh-dev,libhwy-dev,libglm-dev,libstb-dev,libpng-dev,libjpeg-dev,libdeflate-dev,libpolyclipping-dev,libgtest-dev
+    local packages=libopenmesh-dev,libhwy-dev,libglm-dev,libstb-dev,libpng-dev,libjpeg-dev,libgif-dev,libdeflate-dev,libpolyclipping-dev,libgtest-dev
     local part=$SCANLIGHT_SYSROOT.part
     rm -rf "$part"
     mkdir -p "$part"

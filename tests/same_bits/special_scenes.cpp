@@ -60,6 +60,41 @@ TestScene several_objects(const Settings& settings) {
     return test;
 }
 
+/// Each of them drawn in its own way.
+TestScene own_settings(const Settings& settings) {
+    TestScene test = several_objects(settings);
+    auto& objects = test.scene.objects;
+    objects[0].own = {.shading = Shading::flat, .illumination = shading::Illumination::blinn};
+    objects[1].own = {
+        .shading = Shading::gouraud, .perspective = Perspective::affine, .sides = Sides::one};
+    objects[2].own.cull = Cull::front;
+    objects.push_back(objects[1]);
+    objects.back().own = {.illumination = shading::Illumination::gouraud71, .gouraud71_k = 0.5f};
+    objects.back().world_from_object[3] = glm::dvec4(0.5, 0.5, -0.5, 1.0);
+    return test;
+}
+
+/// The same without Gouraud shading and culling, which shadows of the fast path don't know.
+TestScene own_settings_in_shadows() {
+    TestScene test = own_settings({.shadows = Shadows::zfail});
+    test.scene.objects[1].own = {.shading = Shading::flat};
+    test.scene.objects[2].own = {.illumination = shading::Illumination::lambert};
+    return test;
+}
+
+/// Many samples a pixel.
+TestScene sampled(TestScene test, int grid) {
+    test.settings.grid = grid;
+    return test;
+}
+
+/// Pixels that are covered in part before nothing.
+TestScene sampled_before_nothing(const Settings& settings) {
+    TestScene test = sampled(several_objects(settings), 4);
+    test.scene.background = raster::Rgba(0.0f);
+    return test;
+}
+
 /// A matrix that leaves no volume: normals have no inverse to be turned by.
 TestScene flattened() {
     TestScene test = shape_scene(shape_mesh("icosphere:2"), {64, 64}, phong);
@@ -238,6 +273,12 @@ NamedScenes special_scenes() {
         {"dark", dark},
         {"edge-on", edge_on},
         {"opposed-normals", opposed_normals},
+        {"own-settings/shadows", own_settings_in_shadows},
+        {"own-settings/shadows-by-the-textbook",
+         [] { return own_settings({.shadows = Shadows::zfail}); }},
+        {"samples/4/own-settings", [] { return sampled(own_settings(gouraud), 2); }},
+        {"samples/16/shadows", [] { return sampled(own_settings_in_shadows(), 4); }},
+        {"samples/16/nothing", [] { return sampled(nothing(), 4); }},
         {"several-objects/gouraud-cull-back", [=] { return several_objects(culled); }},
         {"bright/60/gouraud", [] { return bright(60.0f, gouraud); }},
         {"bright/60/phong", [] { return bright(60.0f, phong); }},
@@ -285,6 +326,8 @@ NamedScenes special_scenes() {
     add(scenes, by_each_shading("motley", motley));
     add(scenes, by_each_shading("glowing", glowing));
     add(scenes, by_each_shading("several-objects", several_objects));
+    add(scenes, by_each_shading("own-settings", own_settings));
+    add(scenes, by_each_shading("samples/16", sampled_before_nothing));
     add(scenes, by_each_shading("lamp-in-vertex-and-eye", lamps_where_they_should_not_be));
     add(scenes, by_each_shading("from-within", from_within));
     add(scenes, by_each_shading("floor-to-the-horizon", floor_to_the_horizon));

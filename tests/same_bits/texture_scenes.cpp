@@ -174,9 +174,13 @@ TestScene glass_scene(bool glass_first, const Settings& settings) {
     return test;
 }
 
-}  // namespace
-
-namespace {
+/// Each of them drawn in its own way.
+TestScene own_glass_scene(const Settings& settings, Shading of_ring) {
+    TestScene test = glass_scene(false, settings);
+    test.scene.objects[1].own = {.illumination = shading::Illumination::hall};
+    test.scene.objects[2].own = {.shading = of_ring, .sides = Sides::one};
+    return test;
+}
 
 /// In the light of an environment, which is mirrored and seen.
 TestScene room_scene(shading::EnvironmentLayout layout, const Settings& settings) {
@@ -204,6 +208,7 @@ NamedScenes room_scenes() {
     add("cube", cube, {});
     add("shadows", latitudes, {.shadows = Shadows::zfail});
     add("gouraud", latitudes, {.shading = Shading::gouraud});
+    add("samples", latitudes, {.grid = 2});
     return scenes;
 }
 
@@ -221,6 +226,13 @@ NamedScenes glass_scenes() {
     add("flat-shadows", false, {.shading = Shading::flat, .shadows = Shadows::zpass});
     add("gouraud-shadows", false, {.shading = Shading::gouraud, .shadows = Shadows::zfail});
     add("one-sided", false, {.cull = Cull::back, .sides = Sides::one});
+    add("samples", false, {.grid = 4});
+    add("samples-flat", true, {.shading = Shading::flat, .grid = 2});
+    add("samples-shadows", false, {.shadows = Shadows::zfail, .grid = 2});
+    add("samples-map", false, {.shadows = Shadows::map, .grid = 2});
+    scenes.push_back({"glass/own", [] { return own_glass_scene({}, Shading::gouraud); }});
+    scenes.push_back({"glass/own-shadows",
+                      [] { return own_glass_scene({.shadows = Shadows::zfail}, Shading::flat); }});
     return scenes;
 }
 

@@ -29,7 +29,7 @@ build_clipper() {
 configure() {
     local library empty=()
     emar rcs $prefix/lib/libempty.a
-    for library in PNG JPEG ZLIB LIBDEFLATE GTEST GTEST_MAIN; do
+    for library in PNG JPEG GIF ZLIB LIBDEFLATE GTEST GTEST_MAIN; do
         empty+=("-D${library}_LIBRARY=$prefix/lib/libempty.a")
     done
     # Readers of 32-bit machines get warnings: files may be larger than memory.

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "apps/scene/models.h"
+#include "apps/scene/scene_options.h"
+#include "render/scene.h"
+
+namespace scanlight::apps {
+
+/// The scene that the options describe, of their models, which must outlive it.
+render::Scene scene_of(const Models& models, const SceneOptions& options);
+
+/// The camera's angle of view, projection and up vector, without its place.
+render::Camera bare_camera(const SceneOptions& options);
+
+/// The middle of the box around all objects; the origin without any.
+glm::dvec3 middle_of(const std::vector<render::Object>& objects);
+
+}  // namespace scanlight::apps
