@@ -28,6 +28,7 @@ shading::Material<Real> painted(const shading::Material<float>& material,
             material.facets,
             material.opacity,
             Rgb<Real>(material.mirror),
+            Rgb<Real>(material.refracted),
             Rgb<Real>(material.emission)};
 }
 

@@ -14,7 +14,9 @@
 #include "shading/environment.h"
 #include "shading/illumination.h"
 #include "shading/reflection.h"
+#include "shading/refraction.h"
 #include "shading/surface_textures.h"
+#include "shading/whitted.h"
 
 namespace scanlight::render {
 
@@ -40,14 +42,14 @@ inline TexturedAttributes textured_attributes(const Object& object) {
 }
 
 /// Whether an object's pixels are lit by this file's formulas: where there are textures, or an
-/// environment that lights the object or is mirrored in it.
+/// environment that lights the object, is mirrored in it or seen through it.
 inline bool is_textured(const Object& object, const Frame& frame) {
-    const auto has_mirror = [](const shading::Material<float>& material) {
-        return material.mirror != glm::vec3(0.0f);
+    const auto shows_environment = [](const shading::Material<float>& material) {
+        return material.mirror != glm::vec3(0.0f) || material.refracted != glm::vec3(0.0f);
     };
     return std::ranges::any_of(object.textures, &shading::SurfaceTextures::any) ||
            frame.diffuse != nullptr ||
-           (frame.mirrored != nullptr && std::ranges::any_of(object.materials, has_mirror));
+           (frame.mirrored != nullptr && std::ranges::any_of(object.materials, shows_environment));
 }
 
 /// The textures of a material, on an object.
@@ -168,24 +170,49 @@ shading::Material<Real, shading::VaryingExponent<Real>> with_exponent(
     using shading::select;
     return {material.ambient,      material.diffuse, material.specular, {select(n < most, n, most)},
             material.transmission, material.facets,  material.opacity,  material.mirror,
-            material.emission};
+            material.refracted,    material.emission};
+}
+
+/// The environment mirrored in a surface and seen through it, over its local light: Whitted 1980,
+/// with the environment in the place of rays.
+template <class Real>
+shading::Rgb<Real> with_environment(const shading::Rgb<Real>& local,
+                                    const shading::Surface<Real>& surface,
+                                    const shading::Material<float>& material, Real eta,
+                                    const shading::Environment& environment) {
+    using Color = shading::Rgb<Real>;
+    const Color K_s(material.mirror);
+    const auto S = shading::reflected(surface.view, surface.normal);
+    const Color I_s = shading::light_from(environment, S);
+    if (material.refracted == glm::vec3(0.0f)) return local + K_s * I_s;
+    const Color K_t(material.refracted);
+    const auto T = shading::refracted(surface.view, surface.normal, eta);
+    const Color I_t = shading::light_from(environment, T);
+    return shading::select(shading::dot(T, T) > Real(0),
+                           shading::whitted(local, I_s, K_s, I_t, K_t),
+                           shading::whitted_at_total_reflection(local, I_s, K_s, K_t));
 }
 
 /// What the surface sends without any light source: the ambient term, and what the environment
-/// lights and is mirrored.
+/// lights, and what of it is mirrored and refracted.
 template <class Real, class Power>
 shading::Rgb<Real> unlit_textured(const shading::Surface<Real>& surface,
                                   const shading::Material<Real, Power>& here,
-                                  const shading::Rgb<float>& mirror, const Frame& frame) {
+                                  const shading::Material<float>& material, Real eta,
+                                  const Frame& frame) {
     auto intensity = shading::unlit<Real>(here, frame.lighting);
     if (frame.diffuse != nullptr)
         intensity = intensity + here.diffuse * shading::light_from(*frame.diffuse, surface.normal);
-    if (frame.mirrored != nullptr) {
-        const auto S = shading::reflected(surface.view, surface.normal);
-        intensity =
-            intensity + shading::Rgb<Real>(mirror) * shading::light_from(*frame.mirrored, S);
-    }
-    return intensity;
+    if (frame.mirrored == nullptr) return intensity;
+    return with_environment(intensity, surface, material, eta, *frame.mirrored);
+}
+
+/// eta_2/eta_1 as seen from the side that is seen: from behind it is the reciprocal.
+template <class Real>
+Real eta_seen(const shading::Material<float>& material, Real outward) {
+    const auto eta = static_cast<float>(material.transmission.eta);
+    using shading::select;
+    return select(outward < Real(0), Real(1.0f / eta), Real(eta));
 }
 
 /// `illuminate`, of a textured surface, in the frame's light.
@@ -196,7 +223,8 @@ shading::Rgb<Real> illuminate_textured(const Model& model, const TexturedSurface
                                        const Arriving& arriving) {
     const shading::Surface<Real> surface{s.surface.point, wrinkled(textures, s), s.surface.view};
     const shading::Material<Real> here = textured(material, textures, s);
-    const auto unlit = unlit_textured(surface, here, material.mirror, frame);
+    const auto unlit =
+        unlit_textured(surface, here, material, eta_seen(material, s.outward), frame);
     if (!textures.exponent)
         return with_lights(unlit, model, surface, here, frame.lighting, arriving);
     const Real factor = shading::number_at(*textures.exponent, s.site);

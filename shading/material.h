@@ -20,6 +20,7 @@ struct Material {
     Microfacets facets{};                 // Cook & Torrance, for whom K_d of the above is rho_d
     float opacity = 1;                    // 1 - t: 0 lets all light through, 1 none
     Rgb<Number> mirror{Number(0)};        // K_s', of the environment mirrored
+    Rgb<Number> refracted{Number(0)};     // K_t', of the same seen through it, bent by eta
     Rgb<Number> emission{Number(0)};      // light of its own, towards every side
 };
 

@@ -29,8 +29,8 @@ Options add_slope_options(CLI::App& app, FacetOptions& o) {
 
 CLI::Option* add_index_option(CLI::App& app, FacetOptions& o) {
     return add_text(app, "--ior", "N",
-                    "index of refraction, the file's or 1.5 if not given; for hall that of what\n"
-                    "lies behind the surface, 1 if not given",
+                    "index of refraction, the file's or 1.5 if not given; for hall, and for what\n"
+                    "is seen by refract=, that of what lies behind the surface, 1 if not given",
                     [&o](const std::string& text) {
                         forget_reflectance(o);
                         o.ior = parse_number(text, "ior");

@@ -222,6 +222,14 @@ const std::vector<Figure>& figures() {
           "--fov 50",
           "sphere:64,32 --environment room --environment-light --ambient 0 --light 0,0,1,#000 "
           "--material \"kd=0.9\" --fov 50"}},
+        {"refraction",
+         "A room seen through a ball: straight through a thin one; bent by glass, which mirrors, "
+         "too; and by a bubble in glass, at whose rim all light is reflected.",
+         {"sphere:64,32 --environment room --material \"kd=0 ka=0 refract=0.9\" --ior 1 --fov 50",
+          "sphere:64,32 --environment room --material \"kd=0 ka=0 refract=0.8 mirror=0.15 ks=0.6 "
+          "n=200\" --ior 1.5 --fov 50 --view 100,10",
+          "sphere:64,32 --environment room --material \"kd=0 ka=0 refract=0.9\" --ior 0.75 "
+          "--fov 50"}},
         {"transparency",
          "A ring of coloured glass, each of its surfaces blended over what is behind it, nearest "
          "first; on a floor with shadows, of which glass casts none; and opaque stripes on glass.",

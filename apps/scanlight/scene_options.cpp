@@ -121,11 +121,11 @@ void add_mesh_options(CLI::App& app, SceneOptions& o) {
                         ->check(within(0.0, 180.0))
                         ->capture_default_str(),
                     o, [](ObjectOptions& object) { object.crease_deg.reset(); });
-    add_text(
-        app, "--material", "\"kd=C ks=C n=N\"",
-        "the surface, instead of the file's: ka, kd, ks, mirror (colours), n (exponent), opacity\n"
-        "(0 to 1), and for hall kdt, kt, nt, the same of light from behind; any of them",
-        [&o](const std::string& text) { set_colors(o.material, parse_material(text)); });
+    add_text(app, "--material", "\"kd=C ks=C n=N\"",
+             "the surface, instead of the file's: ka, kd, ks, mirror, refract (colours), n "
+             "(exponent), opacity\n"
+             "(0 to 1), and for hall kdt, kt, nt, the same of light from behind; any of them",
+             [&o](const std::string& text) { set_colors(o.material, parse_material(text)); });
     app.add_option_function<std::vector<std::string>>(
            "--texture",
            [&o](const std::vector<std::string>& texts) {
@@ -153,7 +153,9 @@ void check_models(const SceneOptions& o, const std::vector<ModelOption>& options
                   const CLI::Option* material) {
     using enum shading::Illumination;
     const IlluminationModels chosen = models_in(o);
+    const bool bends_light = o.material.refracted.has_value();
     for (const ModelOption& given : options) {
+        if (bends_light && given.option->get_name() == "--ior") continue;
         if (given.option->count() > 0)
             require_model(given.option->get_name(), chosen, given.models);
     }

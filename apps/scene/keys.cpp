@@ -482,6 +482,9 @@ std::vector<Key<MaterialOptions>> optics_keys(const std::string& fallback) {
                 "mirror", color(), [](auto& o) -> auto& { return o.mirror; }, fallback,
                 "What it mirrors of the environment, in Phong shading."),
             optional_key<O>(
+                "refract", color(), [](auto& o) -> auto& { return o.refracted; }, fallback,
+                "What of the environment is seen through it, bent by `ior`, in Phong shading."),
+            optional_key<O>(
                 "opacity", float_number(0.0, 1.0), [](auto& o) -> auto& { return o.opacity; },
                 fallback, "1 hides what lies behind, 0 shows all of it."),
             optional_key<O>(

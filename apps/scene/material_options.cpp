@@ -12,6 +12,7 @@ void lay_values(MaterialOptions& below, const MaterialOptions& above, Lay lay) {
     lay(below.specular, above.specular);
     lay(below.exponent, above.exponent);
     lay(below.mirror, above.mirror);
+    lay(below.refracted, above.refracted);
     lay(below.opacity, above.opacity);
     lay(below.transmitted_diffuse, above.transmitted_diffuse);
     lay(below.transmitted_specular, above.transmitted_specular);
@@ -41,6 +42,7 @@ shading::Material<float> with(shading::Material<float> base, const MaterialOptio
     set(material.specular, options.specular);
     set(material.exponent, options.exponent);
     set(material.mirror, options.mirror);
+    set(material.refracted, options.refracted);
     set(material.opacity, options.opacity);
     set(material.transmission.diffuse, options.transmitted_diffuse);
     set(material.transmission.specular, options.transmitted_specular);

@@ -19,6 +19,7 @@ struct MaterialOptions {
     std::optional<glm::vec3> specular;
     std::optional<double> exponent;
     std::optional<glm::vec3> mirror;
+    std::optional<glm::vec3> refracted;
     std::optional<float> opacity;
     std::optional<glm::vec3> transmitted_diffuse;   // K_dt
     std::optional<glm::vec3> transmitted_specular;  // K_t

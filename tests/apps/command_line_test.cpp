@@ -151,6 +151,8 @@ TEST(Mistakes, OfOptionsThatTheModelDoesNotKnowNameTheOneThatDoes) {
         expect_named(option, "cook-torrance");
         expect_named(option + " --illumination blinn", "cook-torrance");
     }
+    const std::string sees_through = "scanlight render cube -s 8x8 -o ok.png --environment room ";
+    EXPECT_EQ(shell.run(sees_through + "--material refract=0.5 --ior 1.4").status, 0);
     for (const auto* material : {"kdt=0.5", "kt=0.5 nt=3", "kd=0.1 kdt=#fff"})
         expect_named(std::string("--material '") + material + "'", "hall");
     expect_refused(shell, "scanlight steps cube --roughness 0.3");

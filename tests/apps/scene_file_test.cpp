@@ -274,6 +274,7 @@ TEST(SceneFile, SavedSceneDrawsTheSamePicture) {
         "gauss",
         "sphere:9,7 --environment room --environment-light --material \"kd=0.1 mirror=0.7 "
         "opacity=0.6\"",
+        "sphere:9,7 --environment room --material \"kd=0.1 refract=0.7\" --ior 1.4",
         "cube --floor --shadows map --shadow-map-size 64 --shadow-bias 2 --shadow-pcf 3",
         "torus:9,7 --illumination hall --material \"kdt=0.6 kt=0.2 nt=4\" --ior 1.2 --light "
         "0,0,-1",

@@ -109,6 +109,22 @@ TEST(Oracle, GOUR_f_NextPixelByOneAddition) {
     EXPECT_NEAR(value_at(gouraud(), 46, 60, 0), 0.657391304, tolerance);
 }
 
+/// The triangle with its corners on pixel centres and its left edge down a column of them: there
+/// the span's first value is I_a, and what would be added at x_b makes I_b.
+TEST(Bilinear, AtTheEndsOfASpanAreTheEdgesValues) {
+    const auto trace =
+        traced<1>({corner<1>(10, 0, {0.9}), corner<1>(10, 80, {0.2}), corner<1>(90, 80, {0.5})});
+    for (const int y : {20, 40, 60}) {
+        const auto& active = scanline(trace, y).active;
+        ASSERT_EQ(active.size(), 2u);
+        ASSERT_NEAR(active[1].x - 0.5, 10 + y, tolerance);
+        EXPECT_NEAR(value_at(trace, 10, y, 0), active[0].values[0], tolerance);
+        EXPECT_NEAR(value_at(trace, 10 + y, y, 0), active[1].values[0], tolerance);
+        EXPECT_NEAR(active[0].values[0], 0.9 - 0.7 * y / 80, tolerance);
+        EXPECT_NEAR(active[1].values[0], 0.9 - 0.4 * y / 80, tolerance);
+    }
+}
+
 constexpr double half_root = 1.0 / std::numbers::sqrt2;
 
 Trace phong() {
@@ -197,20 +213,25 @@ Vector turned(Vector p, double degrees) {
     return {p.x * std::cos(a) - p.y * std::sin(a), p.x * std::sin(a) + p.y * std::cos(a)};
 }
 
-/// The bilinear value at a point of the square [-1, 1]² with corner values 1, 0, 1, 0, turned. The
-/// point is moved onto a pixel centre; the square is large, so that snapping does not count.
-double turned_square_at(Vector point, double degrees) {
+/// The bilinear value at a point of the square [-1, 1]² with corner values 1, 0, 1, 0, or of a part
+/// of it with some of its corners, turned. The point is moved onto a pixel centre; the square is
+/// large, so that snapping does not count.
+double turned_square_at(Vector point, double degrees, const std::vector<std::size_t>& corners) {
     constexpr double scale = 4000.0;
     constexpr int middle = 8000;
     const Vector p = turned(point, degrees);
     const std::array<Vector, 4> square{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
     std::vector<ScreenVertex<1>> polygon;
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (const std::size_t i : corners) {
         const Vector q = turned(square[i], degrees);
         polygon.push_back(corner<1>(middle + (q.x - p.x) * scale, middle + (q.y - p.y) * scale,
                                     {i % 2 == 0 ? 1.0 : 0.0}));
     }
     return value_at(traced(polygon), middle, middle, 0);
+}
+
+double turned_square_at(Vector point, double degrees) {
+    return turned_square_at(point, degrees, {0, 1, 2, 3});
 }
 
 TEST(Oracle, DEFE_d_CentreOfASquareChangesWithItsOrientation) {
@@ -230,6 +251,11 @@ TEST(Oracle, DEFE_f_AnotherPointOfTheSquareAtEachRotation) {
     EXPECT_NEAR(turned_square_at({0.5, 0.25}, 0), 0.5625, 1e-6);
     EXPECT_NEAR(turned_square_at({0.5, 0.25}, 20), 0.426011162, 1e-6);
     EXPECT_NEAR(turned_square_at({0.5, 0.25}, 40), 0.375, 1e-6);
+}
+
+TEST(Bilinear, OfATriangleOfTheSquareIsTheSameHoweverItIsTurned) {
+    for (const double degrees : {-45.0, 0.0, 10.0, 20.0, 40.0, 45.0, 90.0, 137.0})
+        EXPECT_NEAR(turned_square_at({0.5, 0.25}, degrees, {0, 1, 2}), 0.875, 1e-6) << degrees;
 }
 
 // Laws.

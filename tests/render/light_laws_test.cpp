@@ -139,6 +139,46 @@ TEST(LightLaws, FlatShadingHasOneColorAFacet) {
     }
 }
 
+// C12.1-WYLIE: along a floor under a lamp, I_p K_d (N.L) times the law's share of the distance.
+TEST(LightLaws, AFloorDarkensByTheChosenLaw) {
+    using shading::Falloff;
+    const auto share = [](Falloff law, double r) {
+        switch (law) {
+            case Falloff::inverse:
+                return 1.0 / r;
+            case Falloff::inverse_square:
+                return 1.0 / (r * r);
+            case Falloff::inverse_plus_k:
+                return 1.0 / (r + 0.75);
+            default:
+                return 1.0;
+        }
+    };
+    const auto mesh = shape_mesh("plane:1");
+    const glm::dvec3 lamp(-0.6, 0.5, 0.1);
+    Settings settings;
+    settings.illumination = shading::Illumination::lambert;
+    for (const Falloff law :
+         {Falloff::constant, Falloff::inverse, Falloff::inverse_square, Falloff::inverse_plus_k}) {
+        Scene scene = scene_of(mesh, {{20.0, 35.0}, size});
+        scene.lighting = {glm::vec3(0.0f),
+                          {shading::point_light<float>(lamp, glm::vec3(1.0f), {law, 0.75f})}};
+        const Drawing drawing = draw(scene, settings, size);
+        const Frame frame = frame_of(scene, Distances::finite, size);
+        std::size_t compared = 0;
+        for_each_pixel(size, [&](int x, int y) {
+            const auto depth = drawing.framebuffer.depth.at(x, y);
+            if (depth == raster::depth_clear) return;
+            const glm::dvec3 to_lamp = lamp - glm::dvec3(frame.point_at(x, y, depth));
+            const double r = glm::length(to_lamp);
+            const double expected = 0.5 * (to_lamp.y / r) * share(law, r);
+            ASSERT_NEAR(drawing.framebuffer.color.at(x, y).r, expected, 1e-3 * expected);
+            ++compared;
+        });
+        EXPECT_GT(compared, 500u);
+    }
+}
+
 // 12.1.2 LAMBERT: independent of V. The same facet has the same bits from wherever it is seen.
 TEST(LightLaws, LambertIsUnchangedByTheEyesMotion) {
     const auto mesh = shape_mesh("torus:10,6");
@@ -189,17 +229,20 @@ TEST(LightLaws, AtInfinityAFloorIsOneColor) {
     const auto mesh = shape_mesh("plane:4");
     Scene scene = scene_of(mesh, {{20.0, 35.0}, size});
     scene.lighting.lights = {shading::point_light<float>({0.5f, 0.8f, 0.5f}, glm::vec3(0.9f))};
-    const auto distinct_reds = [&](Distances distances) {
+    const auto distinct_reds = [&](Distances distances, shading::Illumination illumination) {
         Settings settings;
         settings.distances = distances;
+        settings.illumination = illumination;
         std::set<float> reds;
         const Picture picture = draw(scene, settings, size).framebuffer.color;
         for (const auto& color : picture.values())
             reds.insert(color.r);
         return reds.size();
     };
-    EXPECT_GT(distinct_reds(Distances::finite), 100u);
-    EXPECT_LE(distinct_reds(Distances::infinite), 4u);  // the background, and rounding
+    for (const auto model : {shading::Illumination::phong, shading::Illumination::blinn}) {
+        EXPECT_GT(distinct_reds(Distances::finite, model), 100u);
+        EXPECT_LE(distinct_reds(Distances::infinite, model), 4u);  // the background, and rounding
+    }
 }
 
 }  // namespace

@@ -1,9 +1,13 @@
 // Laws of flat, Gouraud and Phong shading in whole pictures (specification 12.1.3).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "render/gouraud.h"
+#include "shading/perception.h"
 #include "tests/render/scenes.h"
 
 namespace scanlight::render {
@@ -218,6 +222,51 @@ TEST(ShadingLaws, PhongFindsTheHighlightThatGouraudLoses) {
         return best;
     };
     EXPECT_GT(brightest(Shading::phong), brightest(Shading::gouraud) + 0.3f);
+}
+
+// ---- Mach bands
+
+/// The picture's middle row across a cylinder of 24 facets whose light comes from the eye.
+std::vector<float> profile_of_a_cylinder(Shading shading) {
+    constexpr raster::Viewport wide{321, 241};
+    const auto mesh = shape_mesh("cylinder:24");
+    Scene scene = scene_of(mesh, {{0.0, 0.0}, wide, Projection::orthographic});
+    const shading::Material<float> white{glm::vec3(0.0f), glm::vec3(1.0f), glm::vec3(0.0f), 1.0};
+    scene.objects.front().materials.assign(mesh.materials.size(), white);
+    scene.lighting = {glm::vec3(0.0f),
+                      {shading::directional_light<float>({0, 0, 1}, glm::vec3(1.0f))}};
+    const auto colors = draw(scene, shaded(shading), wide).framebuffer.color;
+    std::vector<float> profile;
+    for (int x = 0; x < wide.width; ++x) {
+        const auto& color = colors.at(x, wide.height / 2);
+        if (color.a != 0.0f) profile.push_back(color.r);
+    }
+    return profile;
+}
+
+// C12.1.3-MACH: the profile of flat shading is a stair, cos of 15 degrees more from facet to facet;
+// the eye sees it go too far on either side of each step.
+TEST(ShadingLaws, AFlatCylindersProfileHasStepsThatTheEyeOverdoes) {
+    const std::vector<float> profile = profile_of_a_cylinder(Shading::flat);
+    const std::vector<float> seen = shading::lateral_inhibition<float>(profile);
+    int steps = 0;
+    std::size_t begin = 0;  // of the facet
+    for (std::size_t x = 1; x + 4 < profile.size(); ++x) {
+        if (profile[x] == profile[x - 1]) continue;
+        const double angle = std::acos(static_cast<double>(profile[x])) * 12 / std::numbers::pi;
+        const double before =
+            std::acos(static_cast<double>(profile[x - 1])) * 12 / std::numbers::pi;
+        EXPECT_NEAR(std::abs(angle - before), 1.0, 1e-3) << x;
+        const bool is_wide = x - begin > 4 && profile[x + 3] == profile[x];
+        const float up = profile[x] > profile[x - 1] ? 1.0f : -1.0f;
+        if (is_wide) {
+            EXPECT_GT(up * (seen[x] - profile[x]), 0.0f) << x;
+            EXPECT_LT(up * (seen[x - 1] - profile[x - 1]), 0.0f) << x;
+            ++steps;
+        }
+        begin = x;
+    }
+    EXPECT_GE(steps, 6);
 }
 
 // ---- vertex colours

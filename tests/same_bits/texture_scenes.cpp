@@ -194,6 +194,20 @@ TestScene room_scene(shading::EnvironmentLayout layout, const Settings& settings
     return test;
 }
 
+/// Seen through the things, the first of which is denser than the room, the others thinner.
+TestScene refracting_scene(const Settings& settings) {
+    TestScene test = room_scene(shading::EnvironmentLayout::latitudes, settings);
+    double eta = 1.5;
+    for (Object& object : test.scene.objects) {
+        for (auto& material : object.materials) {
+            material.refracted = {0.4f, 0.7f, 0.5f};
+            material.transmission.eta = eta;
+        }
+        eta = 0.75;
+    }
+    return test;
+}
+
 }  // namespace
 
 NamedScenes room_scenes() {
@@ -209,6 +223,9 @@ NamedScenes room_scenes() {
     add("shadows", latitudes, {.shadows = Shadows::zfail});
     add("gouraud", latitudes, {.shading = Shading::gouraud});
     add("samples", latitudes, {.grid = 2});
+    scenes.push_back({"room/refracted", [] { return refracting_scene({}); }});
+    scenes.push_back({"room/refracted-one-side",
+                      [] { return refracting_scene({.cull = Cull::front, .sides = Sides::one}); }});
     return scenes;
 }
 
