@@ -59,13 +59,12 @@ using Rgba = glm::vec4;
 /// What polygons are drawn into.
 struct Framebuffer {
     Framebuffer(Viewport size, Rgba background)
-        : color(size, background), depth(size, depth_clear), stencil(size, 0) {}
+        : color(size, background), depth(size, depth_clear) {}
 
     Viewport size() const { return {color.width(), color.height()}; }
 
     Plane<Rgba> color;
     Plane<Depth> depth;
-    Plane<std::int32_t> stencil;  // wide and signed: no count of shadow volumes wraps round
 };
 
 }  // namespace scanlight::raster

@@ -5,6 +5,7 @@
 
 #include "raster/framebuffer.h"
 #include "render/draw.h"
+#include "shading/blending.h"
 
 namespace scanlight::render {
 
@@ -17,26 +18,29 @@ namespace scanlight::render {
 // the virtual pixel maps technique", IEEE CG&A 9(4); Everitt 2001). So the order of the input does
 // not matter, and polygons that intersect come out right.
 
-/// What the layers so far leave of a pixel.
-struct Blend {
-    glm::vec3 color{0.0f};  // of the layers, as far as it comes through
-    float left = 1.0f;      // the share of what lies behind that comes through
-
+/// The layers of a pixel so far.
+class Blend {
+public:
     /// A layer behind those so far.
-    void add(const glm::vec3& layer, float opacity) {
-        color += layer * (left * opacity);
-        left *= 1.0f - opacity;
+    void add(const glm::vec3& light, float opacity) {
+        layers_ = shading::with_pane_behind(layers_, light, opacity);
     }
 
     /// No layer, or none that can be seen.
-    bool is_clear() const { return left == 1.0f && color == glm::vec3(0.0f); }
+    bool is_clear() const {
+        return layers_.transparency == 1.0f && layers_.light == glm::vec3(0.0f);
+    }
 
     /// With what lies behind them all. Alpha is never premultiplied.
     raster::Rgba over(const raster::Rgba& behind) const {
-        const float alpha = 1.0f - left * (1.0f - behind.a);
+        const auto& [light, transparency] = layers_;
+        const float alpha = 1.0f - transparency * (1.0f - behind.a);
         if (alpha <= 0.0f) return raster::Rgba(0.0f);
-        return raster::Rgba((color + glm::vec3(behind) * (left * behind.a)) / alpha, alpha);
+        return raster::Rgba((light + glm::vec3(behind) * (transparency * behind.a)) / alpha, alpha);
     }
+
+private:
+    shading::Layers<float> layers_;
 };
 
 /// More layers than this are not drawn at a pixel.

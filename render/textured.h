@@ -41,12 +41,13 @@ inline TexturedAttributes textured_attributes(const Object& object) {
     return {object.mesh->vertices.has_colors(), needs_uv && object.mesh->vertices.has_uvs()};
 }
 
+inline bool shows_environment(const shading::Material<float>& material) {
+    return material.mirror != glm::vec3(0.0f) || material.refracted != glm::vec3(0.0f);
+}
+
 /// Whether an object's pixels are lit by this file's formulas: where there are textures, or an
 /// environment that lights the object, is mirrored in it or seen through it.
 inline bool is_textured(const Object& object, const Frame& frame) {
-    const auto shows_environment = [](const shading::Material<float>& material) {
-        return material.mirror != glm::vec3(0.0f) || material.refracted != glm::vec3(0.0f);
-    };
     return std::ranges::any_of(object.textures, &shading::SurfaceTextures::any) ||
            frame.diffuse != nullptr ||
            (frame.mirrored != nullptr && std::ranges::any_of(object.materials, shows_environment));

@@ -22,10 +22,12 @@ struct Layers {
     Real transparency{1};
 };
 
-/// One pane more, behind all others.
+/// One pane more, behind all others; its opacity is 1 - t.
 template <class Real>
-Layers<Real> with_pane_behind(const Layers<Real>& front, const Rgb<Real>& I, Real t) noexcept {
-    return {front.light + I * (front.transparency * (Real(1) - t)), front.transparency * t};
+Layers<Real> with_pane_behind(const Layers<Real>& front, const Rgb<Real>& I,
+                              Real opacity) noexcept {
+    return {front.light + I * (front.transparency * opacity),
+            front.transparency * (Real(1) - opacity)};
 }
 
 /// The picture of panes before a background.

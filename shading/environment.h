@@ -66,6 +66,17 @@ EnvironmentPlace<Real> place_on_cube(const Vec3<Real>& d) noexcept {
             pick(Real(0), Real(2), Real(4)) + select(negative, Real(1), Real(0))};
 }
 
+/// The inverse, to a cube of side 2.
+template <class Real>
+Vec3<Real> direction_on_cube(int face, Real u, Real v) noexcept {
+    const Real s = Real(2) * u - Real(1);
+    const Real t = Real(2) * v - Real(1);
+    const Real sign(face % 2 == 0 ? 1 : -1);
+    if (face < 2) return {sign, -t, -s * sign};
+    if (face < 4) return {s, sign, t * sign};
+    return {s * sign, -t, sign};
+}
+
 template <class Real>
 EnvironmentPlace<Real> place_in(EnvironmentLayout layout, const Vec3<Real>& direction) noexcept {
     if (layout == EnvironmentLayout::cube) return place_on_cube(direction);

@@ -231,6 +231,12 @@ void add_light_options(CLI::App& app, SceneOptions& o) {
                "longitude and latitude with y up, or a mirror ball seen from the camera");
     app.add_flag("--environment-light", o.environment.lights,
                  "the environment lights matt surfaces too, in Phong shading");
+    add_text(app, "--environment-from", "X,Y,Z",
+             "mirror what is seen from here, drawn on the six sides of a cube: all things that do\n"
+             "not mirror or refract, before the environment",
+             [&o](const std::string& text) {
+                 o.environment.seen_from = parse_point(text, "environment-from");
+             });
     add_text(app, "--ambient", "COLOUR", "the ambient light I_a: #rrggbb, or linear grey or r,g,b",
              [&o](const std::string& text) { o.ambient = parse_color(text); })
         ->default_str("0.15");

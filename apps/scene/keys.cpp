@@ -289,7 +289,12 @@ KeyTable<EnvironmentOptions> environment_keys() {
              "Longitude and latitude with y up, or a mirror ball seen from the camera."),
          key<O>(
              "light", boolean(), [](auto& o) -> auto& { return o.lights; },
-             "Whether it lights matt surfaces too, in Phong shading.")},
+             "Whether it lights matt surfaces too, in Phong shading."),
+         optional_key<O>(
+             "seen_from", point(), [](auto& o) -> auto& { return o.seen_from; }, "none",
+             "What is mirrored is drawn by the rasterizer, as seen from here: all things that "
+             "mirror "
+             "and refract nothing, before the picture of all directions.")},
         {{}, {{"image", "built_in"}}}};
 }
 

@@ -65,8 +65,9 @@ struct CameraKey {
 struct EnvironmentOptions {
     std::string image;  // a file, or "room"; "": none
     shading::EnvironmentLayout layout = shading::EnvironmentLayout::latitudes;
-    bool lights = false;    // matt surfaces too
-    std::string stated_at;  // in a scene file, for messages
+    bool lights = false;                  // matt surfaces too
+    std::optional<glm::dvec3> seen_from;  // what is mirrored; none: the image
+    std::string stated_at;                // in a scene file, for messages
 };
 
 /// All that says what a picture shows, apart from the file it goes to: what a command line or a

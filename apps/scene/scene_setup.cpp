@@ -11,6 +11,7 @@
 #include "apps/scene/scene_image.h"
 #include "apps/scene/words.h"
 #include "mesh/bounds.h"
+#include "render/cube_map.h"
 #include "render/framing.h"
 #include "render/materials.h"
 #include "render/room.h"
@@ -180,6 +181,8 @@ glm::mat3 environment_axes(const SceneOptions& options, const render::Camera& ca
     return {0, 1, 0, 0, 0, 1, 1, 0, 0};
 }
 
+constexpr int cube_map_side = 512;
+
 std::shared_ptr<const shading::TexelImage> environment_image(const SceneOptions& options) {
     if (options.environment.image == "room") return render::room(512);
     return scene_image(options.environment.image, render::TexelMeaning::color,
@@ -233,6 +236,10 @@ render::Scene scene_of(const Models& models, const SceneOptions& options) {
     if (!options.environment.image.empty()) add_environment(options, scene);
     scene.background =
         options.background ? raster::Rgba(*options.background, 1.0f) : raster::Rgba(0.0f);
+    if (options.environment.seen_from) {
+        scene.mirrored = std::make_shared<const shading::Environment>(render::cube_map(
+            scene, options.settings, *options.environment.seen_from, cube_map_side));
+    }
     return scene;
 }
 

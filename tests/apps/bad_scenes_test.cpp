@@ -128,6 +128,7 @@ const std::vector<BadScene>& bad_scenes() {
         {"[environment]\nimage = \"a.hdr\"\nbuilt_in = \"room\"\n", "3:1: 'image' and 'built_in' in one [environment]; expected one of them"},
         {"[environment]\nbuilt_in = \"hall\"\n", "2:12: 'built_in': expected \"room\", not 'hall'"},
         {"[environment]\nlayout = \"cube\"\n", "2:10: 'layout': expected \"latitudes\" or \"sphere\", not 'cube'"},
+        {"[environment]\nseen_from = [1, 2]\n", "2:13: 'seen_from': expected " + point_words + ", not an array of 2 values"},
         {"[environment]\nlight = 1\n", "2:9: 'light': expected true or false, not 1"},
         {"[render]\nshadow_map_size = 31\n", "2:19: 'shadow_map_size': expected a whole number from 32 to 8192, not 31"},
         {"[render]\nshadow_map_size = 64.5\n", "2:19: 'shadow_map_size': expected a whole number from 32 to 8192, not 64.5"},
@@ -155,6 +156,7 @@ TEST(BadScenes, AreRefusedWithPlaceAndReason) {
 TEST(BadScenes, ThatAreNotTomlAreRefusedAtTheirPlace) {
     const std::pair<std::string, std::string> cases[] = {
         {"[camera\n", "1:"},
+        {"[\neye = 1\n", "1:2: Error while parsing key: expected bare key starting character"},
         {"[camera]\nzoom = \n", "2:"},
         {"[camera]\nzoom = 1\nzoom = 2\n", "3:"},
         {"[camera]\n[camera]\n", "2:"},

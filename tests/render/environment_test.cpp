@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include "render/cube_map.h"
+#include "render/light_view.h"
 #include "render/room.h"
 #include "shading/refraction.h"
 #include "shading/whitted.h"
@@ -82,6 +84,72 @@ TEST(Environment, WHIT_IsMirroredAltogetherWhereLightCannotEnter) {
     const Found found = compared(0.75);
     EXPECT_LE(100 * found.different, found.shown);
     EXPECT_GT(found.total, 100);
+}
+
+// ---- drawn by the rasterizer
+
+/// Six balls, each of its own colour, 5 from the origin along the axes, and one that mirrors at it.
+class SixBalls : public testing::Test {
+protected:
+    SixBalls() {
+        for (int face = 0; face < 6; ++face)
+            add(colors[face], 5.0 * axis(face)).ambient = colors[face];
+        auto& mirroring = add(glm::vec3(0.0f), glm::dvec3(0.0));
+        mirroring.mirror = glm::vec3(1.0f);
+        scene.lighting = {glm::vec3(1.0f), {}};
+        scene.background = raster::Rgba(0.25f, 0.25f, 0.25f, 1.0f);
+    }
+
+    static glm::dvec3 axis(int face) {
+        glm::dvec3 d(0.0);
+        d[face / 2] = face % 2 == 0 ? 1.0 : -1.0;
+        return d;
+    }
+
+    shading::Material<float>& add(const glm::vec3& color, const glm::dvec3& place) {
+        shading::Material<float> material{};
+        material.ambient = color;
+        material.diffuse = glm::vec3(0.0f);
+        scene.objects.push_back(object_of(ball, material));
+        scene.objects.back().world_from_object[3] = glm::dvec4(place, 1.0);
+        return scene.objects.back().materials.front();
+    }
+
+    static constexpr glm::vec3 colors[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1},
+                                           {1, 1, 0}, {0, 1, 1}, {1, 0, 1}};
+    mesh::Mesh ball = shape_mesh("sphere:64,32");
+    Scene scene;
+};
+
+/// A ball of radius 1, 5 away, is seen within asin(1/5) = 11.5 degrees of its middle. A texel is
+/// 0.9 degrees wide there, and a place shows something of those around it.
+TEST_F(SixBalls, AreSeenWhereTheyAre) {
+    const auto environment = cube_map(scene, {}, glm::dvec3(0.0), 128);
+    Random random(4);
+    int balls = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const glm::dvec3 d = random.direction();
+        const glm::dvec3 light = shading::light_from<double>(environment, d);
+        const auto face = static_cast<int>(cube_face(d));
+        const double cosine = glm::dot(d, axis(face));
+        if (cosine > 0.985) {  // 9.9 degrees
+            ++balls;
+            EXPECT_EQ(light, glm::dvec3(colors[face]));
+        } else if (cosine < 0.974) {  // 13.1 degrees
+            EXPECT_EQ(light, glm::dvec3(0.25));
+        }
+    }
+    EXPECT_GT(balls, 150);
+}
+
+TEST_F(SixBalls, AreMirroredInTheMiddleOne) {
+    scene.mirrored =
+        std::make_shared<const shading::Environment>(cube_map(scene, {}, glm::dvec3(0.0), 128));
+    scene.camera.eye = {0.0, 0.0, 4.0};  // before the ball at +z, which is behind it
+    scene.camera.far = 6.0;
+    const Drawing drawing = draw(scene, {}, {129, 129});
+    const glm::dvec3 middle(glm::vec3(drawing.framebuffer.color.at(64, 64)));
+    EXPECT_EQ(middle, glm::dvec3(colors[4]));
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ Rgb<double> back_to_front(const std::vector<Pane>& panes, Rgb<double> light) {
 Layers<double> front_to_back(const std::vector<Pane>& panes) {
     Layers<double> layers;
     for (const Pane& pane : panes)
-        layers = with_pane_behind(layers, pane.I, pane.t);
+        layers = with_pane_behind(layers, pane.I, 1.0 - pane.t);
     return layers;
 }
 

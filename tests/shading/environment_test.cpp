@@ -56,6 +56,19 @@ TEST(EnvironmentMap, LightThatGrowsWithHeightGivesTheChaptersIrradiance) {
     EXPECT_NEAR(light_from(diffuse, V(0, 0, -1)).x * pi, 0.523598776, 0.01);
 }
 
+TEST(Environment, TheDirectionOfAPlaceOnTheCubeIsFoundThere) {
+    Random random(8);
+    for (int i = 0; i < 1000; ++i) {
+        const int face = i % 6;
+        const double u = random.between(0.001, 0.999);
+        const double v = random.between(0.001, 0.999);
+        const auto place = place_on_cube(unit(direction_on_cube(face, u, v)));
+        EXPECT_EQ(place.face, face);
+        EXPECT_NEAR(place.u, u, 1e-12);
+        EXPECT_NEAR(place.v, v, 1e-12);
+    }
+}
+
 /// OpenGL's cube faces: what a direction through the middle of each texel finds is that texel.
 TEST(EnvironmentMap, EachFaceOfACubeIsFoundWhereItIs) {
     Environment environment;

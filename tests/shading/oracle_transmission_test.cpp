@@ -46,8 +46,8 @@ Rgb<Real> back_to_front(const Pane<Real>& front, const Pane<Real>& behind) {
 
 template <class Real>
 Rgb<Real> front_to_back(const Pane<Real>& front, const Pane<Real>& behind) {
-    const Layers<Real> first = with_pane_behind(Layers<Real>{}, gray(front.I), front.t);
-    return before(with_pane_behind(first, gray(behind.I), behind.t), gray(Real(0.1)));
+    const Layers<Real> first = with_pane_behind(Layers<Real>{}, gray(front.I), Real(1) - front.t);
+    return before(with_pane_behind(first, gray(behind.I), Real(1) - behind.t), gray(Real(0.1)));
 }
 
 TEST(Oracle, TRAN_b_c) {
