@@ -156,6 +156,8 @@ TEST(BadScenes, AreRefusedWithPlaceAndReason) {
 TEST(BadScenes, ThatAreNotTomlAreRefusedAtTheirPlace) {
     const std::pair<std::string, std::string> cases[] = {
         {"[camera\n", "1:"},
+        {"\u00e9 = 1\n", "1:1:"},
+        {"[camera]\nfov_deg = {\u0277xis = 1}\n", "2:12:"},
         {"[\neye = 1\n", "1:2: Error while parsing key: expected bare key starting character"},
         {"[camera]\nzoom = \n", "2:"},
         {"[camera]\nzoom = 1\nzoom = 2\n", "3:"},
