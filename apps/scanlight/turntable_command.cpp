@@ -126,13 +126,14 @@ void turntable(const TurntableOptions& options) {
     const Models models = load_models(options.scene);
     for (const auto& warning : warnings_of(models))
         if (!options.quiet) std::fprintf(stderr, "scanlight: %s\n", warning.c_str());
-    const CameraPath path(models, options.scene, options.orbit);
+    const render::Scene unseen = unseen_scene_of(models, options.scene);
+    const CameraPath path(unseen, options.scene, options.orbit);
     const FrameSink sink = is_gif(options) ? gif_sink(options) : picture_sink(options);
     for (int frame = 0; frame < options.frames; ++frame) {
         progress.now(counted(frame, options.frames));
         const SceneOptions moment =
             path.at(static_cast<double>(frame) / static_cast<double>(options.frames));
-        const render::Scene scene = scene_of(models, moment);
+        const render::Scene scene = seen(unseen, models, moment);
         sink.add(frame, draw_picture(scene, moment, options.means, {samples_of(options), false}));
     }
     progress.now("saving " + options.output);

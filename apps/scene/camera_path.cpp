@@ -75,9 +75,9 @@ void check_camera_keys(const SceneOptions& options) {
     }
 }
 
-CameraPath::CameraPath(const Models& models, const SceneOptions& options, const Orbit& orbit)
+CameraPath::CameraPath(const render::Scene& scene, const SceneOptions& options, const Orbit& orbit)
     : options_(options), orbit_(orbit) {
-    std::vector<render::Object> objects = scene_of(models, options).objects;
+    std::vector<render::Object> objects = scene.objects;
     objects.resize(options.objects.size());  // without the floor
     middle_ = middle_of(objects);
     for (const render::Object& object : objects)

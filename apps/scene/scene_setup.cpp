@@ -189,16 +189,45 @@ std::shared_ptr<const shading::TexelImage> environment_image(const SceneOptions&
                        options.environment.stated_at);
 }
 
+/// Its axes are the camera's matter.
 void add_environment(const SceneOptions& options, render::Scene& scene) {
-    shading::Environment environment{options.environment.layout,
-                                     {environment_image(options)},
-                                     environment_axes(options, scene.camera)};
-    scene.mirrored = std::make_shared<const shading::Environment>(environment);
-    scene.surroundings = scene.mirrored;
+    shading::Environment environment{
+        options.environment.layout, {environment_image(options)}, glm::mat3(1.0f)};
+    scene.surroundings = std::make_shared<const shading::Environment>(environment);
     if (!options.environment.lights) return;
     environment.images[0] = shading::diffuse_environment(environment, 32, 64);
     environment.layout = shading::EnvironmentLayout::latitudes;
     scene.diffuse = std::make_shared<const shading::Environment>(environment);
+}
+
+using EnvironmentPtr = std::shared_ptr<const shading::Environment>;
+
+EnvironmentPtr turned(const EnvironmentPtr& environment, const glm::mat3& axes) {
+    if (environment == nullptr) return nullptr;
+    shading::Environment result = *environment;
+    result.environment_from_world = axes;
+    return std::make_shared<const shading::Environment>(std::move(result));
+}
+
+void turn_environment(const SceneOptions& options, render::Scene& scene) {
+    const glm::mat3 axes = environment_axes(options, scene.camera);
+    scene.surroundings = turned(scene.surroundings, axes);
+    scene.diffuse = turned(scene.diffuse, axes);
+    scene.mirrored = scene.surroundings;
+    if (!options.environment.seen_from) return;
+    scene.mirrored = std::make_shared<const shading::Environment>(
+        render::cube_map(scene, options.settings, *options.environment.seen_from, cube_map_side));
+}
+
+/// With the planes that the scene and its shadows need.
+render::Camera camera_before(const render::Scene& scene, const Models& models,
+                             const SceneOptions& options) {
+    const auto first = scene.objects.begin();
+    const auto count = static_cast<std::ptrdiff_t>(models.of_object.size());
+    render::Camera camera = camera_of({first, first + count}, options);
+    if (models.floor) camera = render::with_fitted_planes(camera, scene.objects);
+    return render::counts_volumes(options.settings.shadows) ? render::with_room_for_shadows(camera)
+                                                            : camera;
 }
 
 }  // namespace
@@ -222,25 +251,25 @@ render::Camera bare_camera(const SceneOptions& options) {
     return camera;
 }
 
-render::Scene scene_of(const Models& models, const SceneOptions& options) {
+render::Scene unseen_scene_of(const Models& models, const SceneOptions& options) {
     render::Scene scene;
     scene.objects = objects_of(models, options);
-    scene.camera = camera_of(scene.objects, options);
-    if (models.floor) {
-        scene.objects.push_back({&*models.floor, {white()}});
-        scene.camera = render::with_fitted_planes(scene.camera, scene.objects);
-    }
-    if (render::counts_volumes(options.settings.shadows))
-        scene.camera = render::with_room_for_shadows(scene.camera);
-    scene.lighting = lighting_of(scene.camera, options);
+    if (models.floor) scene.objects.push_back({&*models.floor, {white()}});
     if (!options.environment.image.empty()) add_environment(options, scene);
     scene.background =
         options.background ? raster::Rgba(*options.background, 1.0f) : raster::Rgba(0.0f);
-    if (options.environment.seen_from) {
-        scene.mirrored = std::make_shared<const shading::Environment>(render::cube_map(
-            scene, options.settings, *options.environment.seen_from, cube_map_side));
-    }
     return scene;
+}
+
+render::Scene seen(render::Scene scene, const Models& models, const SceneOptions& options) {
+    scene.camera = camera_before(scene, models, options);
+    scene.lighting = lighting_of(scene.camera, options);
+    turn_environment(options, scene);
+    return scene;
+}
+
+render::Scene scene_of(const Models& models, const SceneOptions& options) {
+    return seen(unseen_scene_of(models, options), models, options);
 }
 
 }  // namespace scanlight::apps
