@@ -1,29 +1,25 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "mesh/material.h"
+#include "mesh/sentences.h"
 
 namespace scanlight::render {
 
-/// What is drawn otherwise than a file's materials ask, for a person: each sentence once, with the
-/// first material of which it is true; at most twenty different ones.
+/// What is drawn otherwise than a file's materials ask, by the materials' names.
 class MaterialNotes {
 public:
-    void add(const mesh::Material& material, const std::string& sentence);
+    void add(const mesh::Material& material, const std::string& sentence) {
+        sentences_.add(material.name, sentence);
+    }
 
     /// `material "oak": sentence`, or `material "oak" and 3 more: sentence`.
     std::vector<std::string> lines() const;
 
 private:
-    struct Note {
-        std::string sentence;
-        std::string material;
-        std::size_t count;
-    };
-    std::vector<Note> notes_;
+    mesh::Sentences<std::string> sentences_;
 };
 
 }  // namespace scanlight::render

@@ -127,7 +127,7 @@ void turntable(const TurntableOptions& options) {
     for (const auto& warning : warnings_of(models))
         if (!options.quiet) std::fprintf(stderr, "scanlight: %s\n", warning.c_str());
     const render::Scene unseen = unseen_scene_of(models, options.scene);
-    const CameraPath path(unseen, options.scene, options.orbit);
+    const CameraPath path(models, options.scene, options.orbit);
     const FrameSink sink = is_gif(options) ? gif_sink(options) : picture_sink(options);
     for (int frame = 0; frame < options.frames; ++frame) {
         progress.now(counted(frame, options.frames));

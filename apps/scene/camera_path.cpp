@@ -50,11 +50,10 @@ render::ViewAngles interpolated_view(const std::vector<CameraKey>& keys, double 
             std::clamp(interpolated(keys, time, 0.0, elevation), -90.0, 90.0)};
 }
 
-void add_rings(const render::Object& object, const glm::dvec3& middle,
-               std::vector<render::Ring>& rings) {
-    const auto& vertices = object.mesh->vertices;
+void add_rings(const mesh::Vertices& vertices, const glm::dmat4& world_from_object,
+               const glm::dvec3& middle, std::vector<render::Ring>& rings) {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const glm::dvec3 point(object.world_from_object *
+        const glm::dvec3 point(world_from_object *
                                glm::dvec4(glm::dvec3(vertices.position(i)), 1.0));
         const glm::dvec3 arm = point - middle;
         rings.push_back({std::sqrt(arm.x * arm.x + arm.z * arm.z), arm.y});
@@ -75,13 +74,12 @@ void check_camera_keys(const SceneOptions& options) {
     }
 }
 
-CameraPath::CameraPath(const render::Scene& scene, const SceneOptions& options, const Orbit& orbit)
-    : options_(options), orbit_(orbit) {
-    std::vector<render::Object> objects = scene.objects;
-    objects.resize(options.objects.size());  // without the floor
-    middle_ = middle_of(objects);
-    for (const render::Object& object : objects)
-        add_rings(object, middle_, rings_);
+CameraPath::CameraPath(const Models& models, const SceneOptions& options, const Orbit& orbit)
+    : options_(options), orbit_(orbit), middle_(models.box.center()) {
+    for (std::size_t i = 0; i < options.objects.size(); ++i) {
+        add_rings(models.of_object[i]->mesh.vertices, matrix_of(options.objects[i].placement),
+                  middle_, rings_);
+    }
 }
 
 SceneOptions CameraPath::at(double time) const {

@@ -23,7 +23,7 @@ void check_camera_keys(const SceneOptions& options);
 /// be seen whatever the side.
 class CameraPath {
 public:
-    CameraPath(const render::Scene& scene, const SceneOptions& options, const Orbit& orbit);
+    CameraPath(const Models& models, const SceneOptions& options, const Orbit& orbit);
 
     /// The options of a picture at a time from 0 to 1.
     SceneOptions at(double time) const;

@@ -126,8 +126,8 @@ Models load_models(const SceneOptions& options) {
         add_faces(faces, *model, object);
     }
     if (options.own_textures) load_own_textures(models, options);
-    const mesh::Box box = box_around(models, options);
-    if (options.floor) models.floor = floor_beneath(box);
+    models.box = box_around(models, options);
+    if (options.floor) models.floor = floor_beneath(models.box);
     return models;
 }
 

@@ -15,7 +15,8 @@ namespace scanlight::apps {
 struct Models {
     std::deque<Model> all;
     std::vector<const Model*> of_object;  // one for each object
-    std::optional<mesh::Mesh> floor;      // beneath them all
+    mesh::Box box;                        // around them all; the origin alone without any
+    std::optional<mesh::Mesh> floor;      // beneath them
 
     Models() = default;
     Models(Models&&) = default;

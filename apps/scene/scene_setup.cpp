@@ -124,10 +124,9 @@ double distance(const glm::dvec3& a, const glm::dvec3& b) {
 
 /// At `eye`, which the options give.
 render::Camera placed_camera(render::Camera camera, const glm::dvec3& eye,
-                             const std::vector<render::Object>& objects,
-                             const SceneOptions& options) {
+                             const std::vector<render::Object>& objects, const glm::dvec3& target) {
     camera.eye = eye;
-    camera.target = options.target ? *options.target : middle_of(objects);
+    camera.target = target;
     if (camera.projection == render::Projection::orthographic) {
         // What the field of view would show at the target.
         camera.magnification /= std::max(distance(camera.eye, camera.target), 1e-30);
@@ -144,10 +143,12 @@ render::Camera framing_camera(render::Camera camera, const std::vector<render::O
                           static_cast<double>(options.size.width) / options.size.height);
 }
 
-render::Camera camera_of(const std::vector<render::Object>& objects, const SceneOptions& options) {
+render::Camera camera_of(const std::vector<render::Object>& objects, const glm::dvec3& middle,
+                         const SceneOptions& options) {
     render::Camera camera = bare_camera(options);
-    camera = options.eye ? placed_camera(camera, *options.eye, objects, options)
-                         : framing_camera(camera, objects, options);
+    camera = options.eye
+                 ? placed_camera(camera, *options.eye, objects, options.target.value_or(middle))
+                 : framing_camera(camera, objects, options);
     camera.magnification *= options.zoom;
     return camera;
 }
@@ -224,24 +225,13 @@ render::Camera camera_before(const render::Scene& scene, const Models& models,
                              const SceneOptions& options) {
     const auto first = scene.objects.begin();
     const auto count = static_cast<std::ptrdiff_t>(models.of_object.size());
-    render::Camera camera = camera_of({first, first + count}, options);
+    render::Camera camera = camera_of({first, first + count}, models.box.center(), options);
     if (models.floor) camera = render::with_fitted_planes(camera, scene.objects);
     return render::counts_volumes(options.settings.shadows) ? render::with_room_for_shadows(camera)
                                                             : camera;
 }
 
 }  // namespace
-
-glm::dvec3 middle_of(const std::vector<render::Object>& objects) {
-    mesh::Box all;
-    for (const render::Object& object : objects) {
-        const mesh::Box box = placed_box(*object.mesh, object.world_from_object);
-        if (box.empty()) continue;
-        all.include(box.low);
-        all.include(box.high);
-    }
-    return all.empty() ? glm::dvec3(0.0) : all.center();
-}
 
 render::Camera bare_camera(const SceneOptions& options) {
     render::Camera camera;

@@ -18,7 +18,4 @@ render::Scene seen(render::Scene unseen, const Models& models, const SceneOption
 /// The camera's angle of view, projection and up vector, without its place.
 render::Camera bare_camera(const SceneOptions& options);
 
-/// The middle of the box around all objects; the origin without any.
-glm::dvec3 middle_of(const std::vector<render::Object>& objects);
-
 }  // namespace scanlight::apps

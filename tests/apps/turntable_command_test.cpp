@@ -6,7 +6,6 @@
 #include "apps/scanlight/frame_pattern.h"
 #include "apps/scene/camera_path.h"
 #include "apps/scene/read_scene.h"
-#include "apps/scene/scene_setup.h"
 #include "apps/scene/usage_error.h"
 #include "tests/apps/shell.h"
 
@@ -105,7 +104,7 @@ TEST(CameraPath, GoesFromKeyToKey) {
                "zoom = 2\n[[object]]\nshape = \"cube\"\ntranslate = [1, 2, 3]\n",
                "scene.toml", "");
     const Models models = load_models(options);
-    const CameraPath path(scene_of(models, options), options, {});
+    const CameraPath path(models, options, {});
     EXPECT_EQ(path.at(0.0).eye, glm::dvec3(0.0, 0.0, 5.0));
     EXPECT_EQ(path.at(1.0).eye, glm::dvec3(4.0, 0.0, 5.0));
     EXPECT_EQ(path.at(0.5).eye, glm::dvec3(2.0, 0.0, 5.0));
@@ -117,7 +116,7 @@ TEST(CameraPath, OfAnOrbitStaysAtOneDistance) {
     SceneOptions options;
     set_input(options, "shape:teapot:2");
     const Models models = load_models(options);
-    const CameraPath path(scene_of(models, options), options, {360.0, 10.0});
+    const CameraPath path(models, options, {360.0, 10.0});
     const auto distance = [&](double time) {
         const SceneOptions moment = path.at(time);
         const glm::dvec3 arm = *moment.eye - *moment.target;

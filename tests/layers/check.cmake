@@ -18,10 +18,11 @@ set(tests_may_include   mesh shading raster render apps tests)
 
 # A library, and the files that may include it. OpenMesh stays behind `mesh`, so that whoever draws
 # sees plain arrays; tests and benchmarks may compare themselves with what they please.
-set(libraries OpenMesh stb png gif_lib libdeflate polyclipping CLI nlohmann toml++ gtest benchmark tiny_obj_loader)
+set(libraries OpenMesh stb png jpeglib gif_lib libdeflate polyclipping CLI nlohmann toml++ gtest benchmark tiny_obj_loader)
 set(OpenMesh_seen_by        "^(mesh|tests|apps/bench)/")
 set(stb_seen_by             "^(raster/.*\\.cpp$|tests/)")
 set(png_seen_by             "^(raster/.*\\.cpp$|tests/)")
+set(jpeglib_seen_by         "^(raster/.*\\.cpp$|tests/)")
 set(gif_lib_seen_by         "^(raster/.*\\.cpp$|tests/)")
 set(libdeflate_seen_by      "^(raster/.*\\.cpp$|tests/)")
 set(polyclipping_seen_by    "^render/.*\\.cpp$")
