@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "raster/box_filter.h"
-#include "render/shadow_map.h"
 #include "render/surroundings.h"
 
 namespace scanlight::render {

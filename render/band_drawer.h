@@ -10,6 +10,7 @@
 #include "render/lane_path.h"
 #include "render/layers.h"
 #include "render/object_pass.h"
+#include "render/shadow_map.h"
 #include "render/walker.h"
 
 namespace scanlight::render {

@@ -13,7 +13,7 @@ within() { # FOLDER COMMAND...: nothing of this machine's environment goes along
 
 install_debian_13() {
     local packages=emscripten,cmake,ninja-build,libhwy-dev,libglm-dev,libstb-dev,libpng-dev,libjpeg-dev,libgif-dev,libdeflate-dev
-    packages+=,libpolyclipping-dev,libgtest-dev
+    packages+=,libpolyclipping-dev,libgtest-dev,bzip2
     rm -rf --one-file-system "$root.part"  # something may be mounted there
     # Of OpenMesh and Clipper there must be the source; of the others headers will do.
     mmdebstrap --quiet --variant=apt --include="$packages" trixie "$root.part" \

@@ -2,12 +2,12 @@
 # Within the folder of `wasm.sh`: OpenMesh from /openmesh, then the program from /scanlight, by Emscripten.
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")"
-readonly here=$PWD prefix=/prefix flags=(-O2 -msimd128 -pthread -fexceptions)
+readonly here=$PWD prefix=/prefix flags=(-O2 -msimd128 -pthread -fwasm-exceptions)  # others go by way of JavaScript, which knows no vectors
 
 # Not /usr/include itself: it has another C library.
 gather_headers() {
     mkdir -p $prefix/include $prefix/lib/cmake/OpenMesh $prefix/share
-    (cd /usr/include && cp -rs "$PWD"/{hwy,glm,stb,gtest,polyclipping,png*.h,j*.h,z*.h,libdeflate.h} $prefix/include)
+    (cd /usr/include && cp -rs "$PWD"/{hwy,glm,stb,gtest,polyclipping,png*.h,gif*.h,j*.h,z*.h,libdeflate.h} $prefix/include)
     cp /usr/include/*-linux-gnu/jconfig.h $prefix/include
     cp -r /usr/share/cmake $prefix/share
 }
