@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "raster/box_filter.h"
+#include "render/opacity.h"
 #include "render/surroundings.h"
 
 namespace scanlight::render {
@@ -181,7 +182,8 @@ void BandDrawer::add_layer_row(const ObjectPass& pass, int y) {
     Blend* blend = blends(y);
     for (std::size_t x = 0; x < static_cast<std::size_t>(band_.width()); ++x) {
         if (!pass.faces.holds(items[x])) continue;
-        blend[x].add({color.x[x], color.y[x], color.z[x]}, layer_row_.opacity[x]);
+        blend[x].add({color.x[x], color.y[x], color.z[x]}, layer_row_.opacity[x],
+                     filter_of(*pass.object, pass.faces.face(items[x])));
         ++shaded_;
     }
 }

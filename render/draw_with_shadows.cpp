@@ -31,6 +31,14 @@ void add_light(const Drawing& lit, const raster::Plane<float>& shares, Drawing& 
     }
 }
 
+/// It sends no light but what lights send it.
+void darken(Object& object) {
+    for (shading::Material<float>& material : object.materials)
+        material.emission = glm::vec3(0.0f);
+    for (shading::SurfaceTextures& textures : object.textures)
+        textures.mirrored = nullptr;
+}
+
 }  // namespace
 
 Scene lit_by(Scene scene, shading::Lighting<float> lighting) {
@@ -41,6 +49,8 @@ Scene lit_by(Scene scene, shading::Lighting<float> lighting) {
 Scene lit_by_one(const Scene& scene, std::size_t light) {
     Scene alone = lit_by(scene, {glm::vec3(0.0f), {scene.lighting.lights[light]}});
     alone.mirrored = alone.diffuse = alone.surroundings = nullptr;
+    for (Object& object : alone.objects)
+        darken(object);
     return alone;
 }
 

@@ -1,6 +1,8 @@
 #include "render/layers.h"
 
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "render/draw_with_shadows.h"
 #include "render/lit_share.h"
@@ -88,12 +90,25 @@ Layer lit_layer(const SplitScene& scenes, const Settings& settings, const LayerD
     return sum;
 }
 
-void add_layer(const Layer& layer, raster::Plane<Blend>& blends) {
+/// What each transparent face, by its number in a layer, leaves of light that comes through it.
+std::vector<glm::vec3> filters_of(const Scene& scene) {
+    std::vector<glm::vec3> filters;
+    for (const Object& object : scene.objects) {
+        for (std::size_t face = 0; face < object.mesh->face_count(); ++face)
+            filters.push_back(filter_of(object, face));
+    }
+    return filters;
+}
+
+void add_layer(const Layer& layer, std::span<const glm::vec3> filters,
+               raster::Plane<Blend>& blends) {
     for (int y = 0; y < blends.height(); ++y) {
         for (int x = 0; x < blends.width(); ++x) {
-            if (layer.number.at(x, y) < 0) continue;
+            const std::int32_t number = layer.number.at(x, y);
+            if (number < 0) continue;
             const raster::Rgba& color = layer.target.at(x, y);
-            blends.at(x, y).add(glm::vec3(color), color.a);
+            blends.at(x, y).add(glm::vec3(color), color.a,
+                                filters[static_cast<std::size_t>(number)]);
         }
     }
 }
@@ -120,6 +135,7 @@ Drawing draw_with_layers(const Scene& scene, const Settings& settings, raster::V
     const SplitScene scenes = split_by_opacity(scene);
     Drawing result = draw_opaque(scenes.opaque, settings, viewport);
     const LayerDrawer drawer(settings, result.framebuffer.depth);
+    const auto filters = filters_of(scenes.transparent);
     raster::Plane<Blend> blends(viewport, {});
     Before before{{viewport, -1}, {viewport, -1}};
     for (int i = 0; i < most_layers; ++i) {
@@ -127,7 +143,7 @@ Drawing draw_with_layers(const Scene& scene, const Settings& settings, raster::V
         Layer layer = lit_layer(scenes, settings, drawer, before, counts);
         result.counts += i == 0 ? counts : pixels_only(counts);
         if (counts.pixels_passed == 0) break;
-        add_layer(layer, blends);
+        add_layer(layer, filters, blends);
         before = {std::move(layer.depth), std::move(layer.number)};
     }
     lay_over(blends, result.framebuffer.color);

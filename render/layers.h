@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -22,19 +23,21 @@ namespace scanlight::render {
 class Blend {
 public:
     /// A layer behind those so far.
-    void add(const glm::vec3& light, float opacity) {
-        layers_ = shading::with_pane_behind(layers_, light, opacity);
+    void add(const glm::vec3& light, float opacity, const glm::vec3& filter) {
+        layers_ = shading::with_pane_behind(layers_, light, opacity, filter);
     }
 
     /// No layer, or none that can be seen.
     bool is_clear() const {
-        return layers_.transparency == 1.0f && layers_.light == glm::vec3(0.0f);
+        return layers_.transparency == glm::vec3(1.0f) && layers_.light == glm::vec3(0.0f);
     }
 
-    /// With what lies behind them all. Alpha is never premultiplied.
+    /// With what lies behind them all. Alpha, of which there is one for all channels, goes by the
+    /// channel that lets most through; it is never premultiplied.
     raster::Rgba over(const raster::Rgba& behind) const {
         const auto& [light, transparency] = layers_;
-        const float alpha = 1.0f - transparency * (1.0f - behind.a);
+        const float most = std::max({transparency.r, transparency.g, transparency.b});
+        const float alpha = 1.0f - most * (1.0f - behind.a);
         if (alpha <= 0.0f) return raster::Rgba(0.0f);
         return raster::Rgba((light + glm::vec3(behind) * (transparency * behind.a)) / alpha, alpha);
     }

@@ -1,18 +1,16 @@
 #include "render/material_textures.h"
 
 #include <algorithm>
-#include <compare>
 #include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
-#include <stdexcept>
-#include <variant>
 
 #include "mesh/mtl_words.h"
 #include "render/image_channel.h"
 #include "render/material_notes.h"
 #include "render/materials.h"
+#include "render/reflection_map.h"
 #include "render/texture_image.h"
 
 namespace scanlight::render {
@@ -84,76 +82,9 @@ ImageChannel channel_for(MapUse use, const TextureMap& map) {
     }
 }
 
-/// A picture as a texture wants it. Those of one file are neighbours in their order.
-struct Wanted {
-    std::string path;
-    TexelMeaning meaning;
-    ImageChannel channel;
-
-    auto operator<=>(const Wanted&) const = default;
-};
-
-Wanted wanted_for(MapUse use, const TextureMap& map) {
+WantedTexture wanted_for(MapUse use, const TextureMap& map) {
     return {map.path, slot_of(use)->meaning, channel_for(use, map)};
 }
-
-using TexelImagePtr = std::shared_ptr<const shading::TexelImage>;
-
-/// A texture's texels, or why there are none.
-struct Loaded {
-    TexelImagePtr image;
-    std::string reason;
-};
-
-/// Makes textures as long as there is room. It keeps the latest file for its next use.
-class TextureLoader {
-public:
-    TextureLoader(const LoadImage& load, std::size_t most_bytes)
-        : load_(load), most_bytes_(most_bytes) {}
-
-    Loaded loaded(const Wanted& wanted) {
-        if (wanted.path != path_) read(wanted.path);
-        if (!picture_) return {nullptr, failure_};
-        if (!has_room()) {
-            return {nullptr, wanted.path + ": the textures take more than " +
-                                 std::to_string(most_bytes_ >> 20) + " MiB together"};
-        }
-        const auto image = texel_image(channel_of(*picture_, wanted.channel), wanted.meaning);
-        if (!image) {
-            return {nullptr, wanted.path + ": a texture has at most " +
-                                 std::to_string(most_texels) + " texels"};
-        }
-        bytes_ += image->bytes();
-        return {image, {}};
-    }
-
-private:
-    void read(const std::string& path) {
-        path_ = path;
-        picture_.reset();
-        try {
-            picture_ = load_(path);
-        } catch (const std::runtime_error& error) {
-            failure_ = error.what();
-        }
-    }
-
-    /// A texel takes 8 bytes, and its pyramid a third of that.
-    bool has_room() const {
-        const auto texels_of = [](const auto& picture) {
-            return static_cast<std::size_t>(picture.width()) *
-                   static_cast<std::size_t>(picture.height());
-        };
-        return bytes_ + std::visit(texels_of, *picture_) * 32 / 3 <= most_bytes_;
-    }
-
-    const LoadImage& load_;
-    std::size_t most_bytes_;
-    std::size_t bytes_ = 0;
-    std::string path_;  // never empty in a map
-    std::optional<raster::AnyImage> picture_;
-    std::string failure_;
-};
 
 /// Files are careless; beyond this no picture changes, and nothing may become infinite.
 float bounded(float number) {
@@ -163,7 +94,8 @@ glm::vec2 bounded(const glm::vec3& v) {
     return {bounded(v.x), bounded(v.y)};
 }
 
-shading::Texture texture_of(const TextureMap& map, const TexelImagePtr& image) {
+shading::Texture texture_of(const TextureMap& map,
+                            const std::shared_ptr<const shading::TexelImage>& image) {
     shading::Texture texture;
     texture.pattern = shading::Pattern::image;
     texture.image = image;
@@ -176,13 +108,13 @@ shading::Texture texture_of(const TextureMap& map, const TexelImagePtr& image) {
     return texture;
 }
 
-using LoadedTextures = std::map<Wanted, Loaded>;
-
 LoadedTextures load_all(const std::vector<mesh::Material>& materials, TextureLoader loader) {
     LoadedTextures textures;
     for (const mesh::Material& material : materials) {
         for (const auto& [use, map] : maps_drawn(material))
             textures[wanted_for(use, map)];
+        for (const WantedTexture& side : sides_wanted(material))
+            textures[side];
     }
     for (auto& [wanted, texture] : textures)
         texture = loader.loaded(wanted);
@@ -193,7 +125,7 @@ shading::SurfaceTextures textures_of(const mesh::Material& material, const Loade
                                      double bump_unit, MaterialNotes& notes) {
     shading::SurfaceTextures textures;
     for (const auto& [use, map] : maps_drawn(material)) {
-        const Loaded& loaded = all.at(wanted_for(use, map));
+        const LoadedTexture& loaded = all.at(wanted_for(use, map));
         if (!loaded.image) {
             notes.add(material, mesh::statement_for(use) + " is left out: " + loaded.reason);
             continue;
@@ -203,6 +135,7 @@ shading::SurfaceTextures textures_of(const mesh::Material& material, const Loade
         if (use == MapUse::bump)
             textures.bump_height = bounded(map.bump) * static_cast<float>(bump_unit);
     }
+    textures.mirrored = own_surroundings(material, all, notes);
     return textures;
 }
 
@@ -229,9 +162,6 @@ std::vector<std::string> approximations(const std::vector<mesh::Material>& mater
             notes.add(material, "illum " + std::to_string(material.illumination) + ": " +
                                     std::string(limits));
         }
-        if (std::ranges::any_of(material.maps,
-                                [](const auto& map) { return map.first >= MapUse::sphere; }))
-            notes.add(material, "refl is left out: all materials have the same surroundings");
     }
     return notes.lines();
 }

@@ -1,19 +1,14 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "mesh/material.h"
-#include "raster/image.h"
+#include "render/texture_loader.h"
 #include "shading/surface_textures.h"
 
 namespace scanlight::render {
-
-/// The picture of this name, as a material gives it. Throws a std::runtime_error whose what() is
-/// the reason why there is none.
-using LoadImage = std::function<raster::AnyImage(const std::string& path)>;
 
 /// What all textures of a mesh together may take, with their pyramids.
 inline constexpr std::size_t most_texture_bytes = std::size_t{1} << 30;
@@ -29,14 +24,14 @@ struct MaterialTextures {
 /// high = base + gain), -blendu and -blendv off, together, take the nearest texel. A bump map's
 /// white is `bump_unit` times -bm high, in world units; -bm scales the slopes of a normal map. For
 /// numbers (map_Ns, map_d, bump) -imfchan picks a channel; without it they take the luminance, but
-/// map_d the alpha of a picture that has one.
+/// map_d the alpha of a picture that has one. refl becomes what the material mirrors.
 /// Each file is loaded once. One that cannot be used is a warning, and the surface is drawn without
 /// it; so is one that would take the textures past `most_bytes`, in the order of their names.
 MaterialTextures surface_textures(const std::vector<mesh::Material>& materials,
                                   const LoadImage& load, double bump_unit,
                                   std::size_t most_bytes = most_texture_bytes);
 
-/// What of the materials' illumination models and reflection maps is not drawn.
+/// What of the materials' illumination models is not drawn.
 std::vector<std::string> approximations(const std::vector<mesh::Material>& materials);
 
 }  // namespace scanlight::render

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/reflection_map.h"
+
 namespace scanlight::render {
 
 namespace {
@@ -14,8 +16,9 @@ shading::Material<float> constant_color(const mesh::Material& material) {
     return result;
 }
 
-bool mirrors(int illum) {
-    return illum >= 3 && illum <= 9;
+bool mirrors(const mesh::Material& material) {
+    const int illum = material.illumination;
+    return (illum >= 3 && illum <= 9) || has_reflection_map(material);
 }
 
 shading::Material<float> lit_material(const mesh::Material& material) {
@@ -25,7 +28,7 @@ shading::Material<float> lit_material(const mesh::Material& material) {
     result.diffuse = material.diffuse;
     result.specular = has_highlight ? material.specular : glm::vec3(0.0f);
     result.exponent = static_cast<double>(material.exponent);
-    if (mirrors(material.illumination)) result.mirror = material.specular;
+    if (mirrors(material)) result.mirror = material.specular;
     if (material.refraction > 1.0f)
         result.facets.reflectance = shading::dielectric(material.refraction);
     result.emission = material.emission;
@@ -37,6 +40,7 @@ shading::Material<float> lit_material(const mesh::Material& material) {
 shading::Material<float> shading_material(const mesh::Material& material) {
     auto result = material.illumination == 0 ? constant_color(material) : lit_material(material);
     result.opacity = std::clamp(material.opacity, 0.0f, 1.0f);
+    result.filter = material.filter;
     return result;
 }
 

@@ -24,10 +24,16 @@ struct FaceRange {
     std::int32_t first = 0;
     std::int32_t count = 0;
 
+    static std::int32_t number_of(std::int32_t item) {
+        return static_cast<std::int32_t>(static_cast<raster::FaceItem>(item) & raster::face_mask);
+    }
     bool holds(std::int32_t item) const {
-        const auto face =
-            static_cast<std::int32_t>(static_cast<raster::FaceItem>(item) & raster::face_mask);
-        return face >= first && face - first < count;
+        const std::int32_t number = number_of(item);
+        return number >= first && number - first < count;
+    }
+    /// Its place in the object's mesh.
+    std::size_t face(std::int32_t item) const {
+        return static_cast<std::size_t>(number_of(item) - first);
     }
 };
 

@@ -29,7 +29,8 @@ shading::Material<Real> painted(const shading::Material<float>& material,
             material.opacity,
             Rgb<Real>(material.mirror),
             Rgb<Real>(material.refracted),
-            Rgb<Real>(material.emission)};
+            Rgb<Real>(material.emission),
+            material.filter};
 }
 
 /// What is lit at a place: the material, painted by `color()` if vertices bring colours.

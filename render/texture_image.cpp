@@ -39,11 +39,13 @@ void append_texel(std::span<const Sample> pixel, TexelMeaning meaning, std::vect
 }
 
 template <class Sample>
-std::vector<float> texels(const raster::Image<Sample>& image, TexelMeaning meaning) {
+std::vector<float> texels(const raster::Image<Sample>& image, TexelMeaning meaning,
+                          RowAtZero zero) {
     std::vector<float> rgba;
     rgba.reserve(4 * static_cast<std::size_t>(image.width()) *
                  static_cast<std::size_t>(image.height()));
-    for (int y = image.height(); y-- > 0;) {
+    for (int row = 0; row < image.height(); ++row) {
+        const int y = zero == RowAtZero::highest ? row : image.height() - 1 - row;
         for (int x = 0; x < image.width(); ++x)
             append_texel(image.pixel(x, y), meaning, rgba);
     }
@@ -53,13 +55,13 @@ std::vector<float> texels(const raster::Image<Sample>& image, TexelMeaning meani
 }  // namespace
 
 std::shared_ptr<const shading::TexelImage> texel_image(const raster::AnyImage& image,
-                                                       TexelMeaning meaning) {
+                                                       TexelMeaning meaning, RowAtZero zero) {
     return std::visit(
         [&](const auto& pixels) -> std::shared_ptr<const shading::TexelImage> {
             const std::int64_t count = std::int64_t{pixels.width()} * pixels.height();
             if (count > most_texels) return nullptr;
             return std::make_shared<const shading::TexelImage>(pixels.width(), pixels.height(),
-                                                               texels(pixels, meaning));
+                                                               texels(pixels, meaning, zero));
         },
         image);
 }

@@ -11,12 +11,16 @@ namespace scanlight::render {
 /// values such as heights and normals, 0 to 1 as they are.
 enum class TexelMeaning { color, value };
 
+/// Which row of a picture is at v = 0.
+enum class RowAtZero { lowest, highest };
+
 /// The most texels an image texture may have: with its pyramid they take some 360 MB.
 inline constexpr int most_texels = 1 << 25;
 
-/// A texture of a picture, whose lowest row is at v = 0. Grey becomes red, green and blue alike;
-/// without alpha it is 1. None where there are more than `most_texels`.
+/// A texture of a picture. Grey becomes red, green and blue alike; without alpha it is 1. None
+/// where there are more than `most_texels`.
 std::shared_ptr<const shading::TexelImage> texel_image(const raster::AnyImage& image,
-                                                       TexelMeaning meaning);
+                                                       TexelMeaning meaning,
+                                                       RowAtZero zero = RowAtZero::lowest);
 
 }  // namespace scanlight::render

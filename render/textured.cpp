@@ -21,7 +21,7 @@ PlacedTextures placed(const shading::SurfaceTextures& textures,
     return {place(textures.ambient),  place(textures.diffuse), place(textures.specular),
             place(textures.exponent), place(textures.opacity), place(textures.emission),
             place(textures.bump),     place(textures.normal),  textures.bump_height,
-            textures.normal_scale};
+            textures.normal_scale,    textures.mirrored.get()};
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ struct PlacedTextures {
     using Slot = std::optional<shading::PlacedTexture>;
     Slot ambient, diffuse, specular, exponent, opacity, emission, bump, normal;
     float bump_height, normal_scale;
+    const shading::Environment* mirrored;  // of its own
 };
 
 /// Of each of the object's materials.
@@ -169,9 +170,10 @@ shading::Material<Real, shading::VaryingExponent<Real>> with_exponent(
     const Real n = Real(material.exponent.value()) * shading::positive_part(factor);
     const Real most(0x1p24f);
     using shading::select;
-    return {material.ambient,      material.diffuse, material.specular, {select(n < most, n, most)},
-            material.transmission, material.facets,  material.opacity,  material.mirror,
-            material.refracted,    material.emission};
+    return {
+        material.ambient,      material.diffuse,  material.specular, {select(n < most, n, most)},
+        material.transmission, material.facets,   material.opacity,  material.mirror,
+        material.refracted,    material.emission, material.filter};
 }
 
 /// The environment mirrored in a surface and seen through it, over its local light: Whitted 1980,
@@ -195,17 +197,17 @@ shading::Rgb<Real> with_environment(const shading::Rgb<Real>& local,
 }
 
 /// What the surface sends without any light source: the ambient term, and what the environment
-/// lights, and what of it is mirrored and refracted.
+/// lights, and what is mirrored and refracted of the one that is, if any.
 template <class Real, class Power>
 shading::Rgb<Real> unlit_textured(const shading::Surface<Real>& surface,
                                   const shading::Material<Real, Power>& here,
                                   const shading::Material<float>& material, Real eta,
-                                  const Frame& frame) {
+                                  const Frame& frame, const shading::Environment* mirrored) {
     auto intensity = shading::unlit<Real>(here, frame.lighting);
     if (frame.diffuse != nullptr)
         intensity = intensity + here.diffuse * shading::light_from(*frame.diffuse, surface.normal);
-    if (frame.mirrored == nullptr) return intensity;
-    return with_environment(intensity, surface, material, eta, *frame.mirrored);
+    if (mirrored == nullptr) return intensity;
+    return with_environment(intensity, surface, material, eta, *mirrored);
 }
 
 /// eta_2/eta_1 as seen from the side that is seen: from behind it is the reciprocal.
@@ -224,8 +226,8 @@ shading::Rgb<Real> illuminate_textured(const Model& model, const TexturedSurface
                                        const Arriving& arriving) {
     const shading::Surface<Real> surface{s.surface.point, wrinkled(textures, s), s.surface.view};
     const shading::Material<Real> here = textured(material, textures, s);
-    const auto unlit =
-        unlit_textured(surface, here, material, eta_seen(material, s.outward), frame);
+    const auto unlit = unlit_textured(surface, here, material, eta_seen(material, s.outward), frame,
+                                      textures.mirrored ? textures.mirrored : frame.mirrored);
     if (!textures.exponent)
         return with_lights(unlit, model, surface, here, frame.lighting, arriving);
     const Real factor = shading::number_at(*textures.exponent, s.site);

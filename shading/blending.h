@@ -19,15 +19,16 @@ Rgb<Real> blend(const Rgb<Real>& I_a, const Rgb<Real>& I_b, Real t) noexcept {
 template <class Real>
 struct Layers {
     Rgb<Real> light{Real(0)};
-    Real transparency{1};
+    Rgb<Real> transparency{Real(1)};
 };
 
-/// One pane more, behind all others; its opacity is 1 - t.
+/// One pane more, behind all others; its opacity is 1 - t. Stained glass leaves of each channel no
+/// more than `filter`.
 template <class Real>
-Layers<Real> with_pane_behind(const Layers<Real>& front, const Rgb<Real>& I,
-                              Real opacity) noexcept {
+Layers<Real> with_pane_behind(const Layers<Real>& front, const Rgb<Real>& I, Real opacity,
+                              const Rgb<Real>& filter = Rgb<Real>(Real(1))) noexcept {
     return {front.light + I * (front.transparency * opacity),
-            front.transparency * (Real(1) - opacity)};
+            front.transparency * (filter * (Real(1) - opacity))};
 }
 
 /// The picture of panes before a background.

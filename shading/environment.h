@@ -27,8 +27,11 @@ enum class EnvironmentLayout {
 struct Environment {
     EnvironmentLayout layout = EnvironmentLayout::latitudes;
     std::array<std::shared_ptr<const TexelImage>, 6> images;  // one, or six of a cube
-    glm::mat3 environment_from_world{1.0f};                   // a rotation
+    glm::mat3 environment_from_world{1.0f};  // a rotation, perhaps with a reflection
 };
+
+/// From axes of which y is up to those of latitudes.
+inline constexpr glm::mat3 latitudes_from_y_up{0, 1, 0, 0, 0, 1, 1, 0, 0};
 
 /// Where a unit direction is found: (u, v), and on which image.
 template <class Real>

@@ -22,6 +22,7 @@ struct Material {
     Rgb<Number> mirror{Number(0)};        // K_s', of the environment mirrored
     Rgb<Number> refracted{Number(0)};     // K_t', of the same seen through it, bent by eta
     Rgb<Number> emission{Number(0)};      // light of its own, towards every side
+    Rgb<float> filter{1.0f};  // what is left of light that comes through, where it is not opaque
 };
 
 }  // namespace scanlight::shading

@@ -124,7 +124,8 @@ void add_mesh_options(CLI::App& app, SceneOptions& o) {
     add_text(app, "--material", "\"kd=C ks=C n=N\"",
              "the surface, instead of the file's: ka, kd, ks, mirror, refract (colours), n "
              "(exponent), opacity\n"
-             "(0 to 1), and for hall kdt, kt, nt, the same of light from behind; any of them",
+             "(0 to 1), tf (the colour of light that comes through it), and for hall kdt, kt, nt,\n"
+             "the same of light from behind; any of them",
              [&o](const std::string& text) { set_colors(o.material, parse_material(text)); });
     app.add_option_function<std::vector<std::string>>(
            "--texture",
@@ -228,7 +229,8 @@ void add_light_options(CLI::App& app, SceneOptions& o) {
         ->type_name("FILE|room")
         ->each([&o](const std::string&) { o.environment.stated_at.clear(); });
     add_choice(app, "--environment-layout", o.environment.layout,
-               "longitude and latitude with y up, or a mirror ball seen from the camera");
+               "longitude and latitude with y up, a mirror ball seen from the camera, or the six\n"
+               "sides of a cube: in a row or column (+x -x +y -y ahead behind), or a cross");
     app.add_flag("--environment-light", o.environment.lights,
                  "the environment lights matt surfaces too, in Phong shading");
     add_text(app, "--environment-from", "X,Y,Z",

@@ -14,6 +14,7 @@ void lay_values(MaterialOptions& below, const MaterialOptions& above, Lay lay) {
     lay(below.mirror, above.mirror);
     lay(below.refracted, above.refracted);
     lay(below.opacity, above.opacity);
+    lay(below.filter, above.filter);
     lay(below.transmitted_diffuse, above.transmitted_diffuse);
     lay(below.transmitted_specular, above.transmitted_specular);
     lay(below.transmitted_exponent, above.transmitted_exponent);
@@ -44,6 +45,7 @@ shading::Material<float> with(shading::Material<float> base, const MaterialOptio
     set(material.mirror, options.mirror);
     set(material.refracted, options.refracted);
     set(material.opacity, options.opacity);
+    set(material.filter, options.filter);
     set(material.transmission.diffuse, options.transmitted_diffuse);
     set(material.transmission.specular, options.transmitted_specular);
     set(material.transmission.exponent, options.transmitted_exponent);

@@ -21,6 +21,7 @@ struct MaterialOptions {
     std::optional<glm::vec3> mirror;
     std::optional<glm::vec3> refracted;
     std::optional<float> opacity;
+    std::optional<glm::vec3> filter;                // T_f
     std::optional<glm::vec3> transmitted_diffuse;   // K_dt
     std::optional<glm::vec3> transmitted_specular;  // K_t
     std::optional<double> transmitted_exponent;     // n_t

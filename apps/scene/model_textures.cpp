@@ -4,6 +4,8 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "mesh/bounds.h"
 #include "mesh/mesh_folder.h"
@@ -36,11 +38,15 @@ bool has_maps(const mesh::Mesh& mesh) {
         mesh.materials, [](const mesh::Material& material) { return !material.maps.empty(); });
 }
 
-/// Why no texture of this mesh can be drawn; empty if they can.
-std::string obstacle(const mesh::Mesh& mesh, render::Shading shading) {
-    if (shading != render::Shading::phong) return "only Phong shading draws them";
-    if (!mesh.vertices.has_uvs()) return "the mesh has no texture coordinates";
-    return {};
+/// Surroundings that are mirrored do not lie on the surface.
+bool needs_uv(const std::pair<const mesh::MapUse, mesh::TextureMap>& map) {
+    return map.first < mesh::MapUse::sphere;
+}
+
+std::vector<mesh::Material> without_maps_on_surfaces(std::vector<mesh::Material> materials) {
+    for (mesh::Material& material : materials)
+        std::erase_if(material.maps, needs_uv);
+    return materials;
 }
 
 void warn(Model& model, const std::vector<std::string>& sentences) {
@@ -52,13 +58,18 @@ void warn(Model& model, const std::vector<std::string>& sentences) {
 
 void load_textures(Model& model, render::Shading shading) {
     if (!has_maps(model.mesh)) return;
-    const std::string reason = obstacle(model.mesh, shading);
-    if (!reason.empty())
-        return warn(model, {"the textures of its materials are left out: " + reason});
+    const std::string left_out = "the textures of its materials are left out: ";
+    if (shading != render::Shading::phong)
+        return warn(model, {left_out + "only Phong shading draws them"});
+    std::vector<mesh::Material> materials = model.mesh.materials;
+    if (!model.mesh.vertices.has_uvs()) {
+        materials = without_maps_on_surfaces(std::move(materials));
+        if (materials != model.mesh.materials)
+            warn(model, {left_out + "the mesh has no texture coordinates"});
+    }
     const auto open = mesh::files_beside(model.name, {"texture", raster::max_file_bytes});
     const auto load = [&](const std::string& path) { return load_picture(open, path); };
-    auto [textures, warnings] =
-        render::surface_textures(model.mesh.materials, load, bump_unit(model.mesh));
+    auto [textures, warnings] = render::surface_textures(materials, load, bump_unit(model.mesh));
     model.textures = std::move(textures);
     warn(model, warnings);
 }

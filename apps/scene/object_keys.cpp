@@ -207,6 +207,9 @@ std::vector<Key<MaterialOptions>> optics_keys(const std::string& fallback) {
                 "opacity", float_number(0.0, 1.0), [](auto& o) -> auto& { return o.opacity; },
                 fallback, "1 hides what lies behind, 0 shows all of it."),
             optional_key<O>(
+                "tf", color(), [](auto& o) -> auto& { return o.filter; }, fallback,
+                "What is left of light that comes through, where `opacity` is not 1."),
+            optional_key<O>(
                 "kdt", color(), [](auto& o) -> auto& { return o.transmitted_diffuse; }, fallback,
                 "For hall: diffuse transmission K_dt of light from behind."),
             optional_key<O>(

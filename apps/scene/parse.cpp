@@ -120,7 +120,7 @@ std::optional<shading::Falloff> falloff_named(std::string_view name) {
 }
 
 constexpr std::string_view material_words =
-    "ka=…, kd=…, ks=…, n=…, mirror=…, refract=…, opacity=…, kdt=…, kt=… or nt=…";
+    "ka=…, kd=…, ks=…, n=…, mirror=…, refract=…, opacity=…, tf=…, kdt=…, kt=… or nt=…";
 
 std::optional<glm::vec3>* color_named(std::string_view key, MaterialOptions& material) {
     if (key == "ka") return &material.ambient;
@@ -128,6 +128,7 @@ std::optional<glm::vec3>* color_named(std::string_view key, MaterialOptions& mat
     if (key == "ks") return &material.specular;
     if (key == "mirror") return &material.mirror;
     if (key == "refract") return &material.refracted;
+    if (key == "tf") return &material.filter;
     if (key == "kdt") return &material.transmitted_diffuse;
     if (key == "kt") return &material.transmitted_specular;
     return nullptr;

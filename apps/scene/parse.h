@@ -48,8 +48,8 @@ struct LightOption {
 /// "[camera:|world:|point:]x,y,z[,#colour][,constant|inverse|inverse-square|inverse-plus-k]"
 LightOption parse_light(std::string_view text);
 
-/// "ka=COLOUR kd=COLOUR ks=COLOUR n=NUMBER mirror=COLOUR refract=COLOUR opacity=NUMBER kdt=COLOUR
-/// kt=COLOUR nt=NUMBER", any of them.
+/// "ka=COLOUR kd=COLOUR ks=COLOUR n=NUMBER mirror=COLOUR refract=COLOUR opacity=NUMBER tf=COLOUR
+/// kdt=COLOUR kt=COLOUR nt=NUMBER", any of them.
 MaterialOptions parse_material(std::string_view text);
 
 /// What they are called, with commas between.

@@ -235,15 +235,15 @@ KeyTable<EnvironmentOptions> environment_keys() {
          key<O>(
              "layout", word<shading::EnvironmentLayout>(),
              [](auto& o) -> auto& { return o.layout; },
-             "Longitude and latitude with y up, or a mirror ball seen from the camera."),
+             "Longitude and latitude with y up, a mirror ball seen from the camera, or the six "
+             "sides of a cube in a row, a column or a cross, with -z in its middle."),
          key<O>(
              "light", boolean(), [](auto& o) -> auto& { return o.lights; },
              "Whether it lights matt surfaces too, in Phong shading."),
          optional_key<O>(
              "seen_from", point(), [](auto& o) -> auto& { return o.seen_from; }, "none",
              "What is mirrored is drawn by the rasterizer, as seen from here: all things that "
-             "mirror "
-             "and refract nothing, before the picture of all directions.")},
+             "mirror and refract nothing, before the picture of all directions.")},
         {{}, {{"image", "built_in"}}}};
 }
 

@@ -9,8 +9,11 @@
 
 #include "apps/scene/placement.h"
 #include "apps/scene/scene_image.h"
+#include "apps/scene/stated.h"
+#include "apps/scene/usage_error.h"
 #include "apps/scene/words.h"
 #include "mesh/bounds.h"
+#include "render/cube_image.h"
 #include "render/cube_map.h"
 #include "render/framing.h"
 #include "render/materials.h"
@@ -175,28 +178,32 @@ shading::Lighting<float> lighting_of(const render::Camera& camera, const SceneOp
     return lighting;
 }
 
-/// A picture's axes: y is up in the world, and a mirror ball is seen by the camera.
+/// A picture's axes: a mirror ball is seen by the camera.
 glm::mat3 environment_axes(const SceneOptions& options, const render::Camera& camera) {
     if (options.environment.layout == shading::EnvironmentLayout::sphere)
         return glm::mat3(glm::dmat3(render::eye_from_world(camera)));
-    return {0, 1, 0, 0, 0, 1, 1, 0, 0};
+    if (options.environment.layout == shading::EnvironmentLayout::cube)
+        return render::cube_from_world;
+    return shading::latitudes_from_y_up;
 }
 
 constexpr int cube_map_side = 512;
 
-std::shared_ptr<const shading::TexelImage> environment_image(const SceneOptions& options) {
-    if (options.environment.image == "room") return render::room(512);
-    return scene_image(options.environment.image, render::TexelMeaning::color,
-                       options.environment.stated_at);
+shading::Environment environment_of(const EnvironmentOptions& options) {
+    const bool is_room = options.image == "room";
+    if (!is_room) return scene_environment(options.image, options.layout, options.stated_at);
+    if (options.layout != shading::EnvironmentLayout::latitudes)
+        throw UsageError(prefix_of(options.stated_at) +
+                         "the built-in room is laid out by latitudes");
+    return {options.layout, {render::room(512)}, glm::mat3(1.0f)};
 }
 
 /// Its axes are the camera's matter.
 void add_environment(const SceneOptions& options, render::Scene& scene) {
-    shading::Environment environment{
-        options.environment.layout, {environment_image(options)}, glm::mat3(1.0f)};
+    shading::Environment environment = environment_of(options.environment);
     scene.surroundings = std::make_shared<const shading::Environment>(environment);
     if (!options.environment.lights) return;
-    environment.images[0] = shading::diffuse_environment(environment, 32, 64);
+    environment.images = {shading::diffuse_environment(environment, 32, 64)};
     environment.layout = shading::EnvironmentLayout::latitudes;
     scene.diffuse = std::make_shared<const shading::Environment>(environment);
 }

@@ -106,7 +106,7 @@ Words<render::Shadows> words_beside(render::Shadows) {
 
 Words<shading::EnvironmentLayout> words_beside(shading::EnvironmentLayout) {
     using enum shading::EnvironmentLayout;
-    return {{"latitudes", latitudes}, {"sphere", sphere}};
+    return {{"latitudes", latitudes}, {"sphere", sphere}, {"cube", cube}};
 }
 
 Words<Show> words_beside(Show) {

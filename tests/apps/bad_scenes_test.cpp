@@ -127,7 +127,7 @@ const std::vector<BadScene>& bad_scenes() {
         // environment and shadows
         {"[environment]\nimage = \"a.hdr\"\nbuilt_in = \"room\"\n", "3:1: 'image' and 'built_in' in one [environment]; expected one of them"},
         {"[environment]\nbuilt_in = \"hall\"\n", "2:12: 'built_in': expected \"room\", not 'hall'"},
-        {"[environment]\nlayout = \"cube\"\n", "2:10: 'layout': expected \"latitudes\" or \"sphere\", not 'cube'"},
+        {"[environment]\nlayout = \"dome\"\n", "2:10: 'layout': expected \"latitudes\", \"sphere\" or \"cube\", not 'dome'"},
         {"[environment]\nseen_from = [1, 2]\n", "2:13: 'seen_from': expected " + point_words + ", not an array of 2 values"},
         {"[environment]\nlight = 1\n", "2:9: 'light': expected true or false, not 1"},
         {"[render]\nshadow_map_size = 31\n", "2:19: 'shadow_map_size': expected a whole number from 32 to 8192, not 31"},

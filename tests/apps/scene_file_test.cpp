@@ -273,7 +273,7 @@ TEST(SceneFile, SavedSceneDrawsTheSamePicture) {
         "sphere:9,7 --illumination cook-torrance --metal copper --roughness 0.3 --distribution "
         "gauss",
         "sphere:9,7 --environment room --environment-light --material \"kd=0.1 mirror=0.7 "
-        "opacity=0.6\"",
+        "opacity=0.6 tf=1,0.5,0.2\"",
         "sphere:9,7 --environment room --material \"kd=0.1 refract=0.7\" --ior 1.4",
         "sphere:9,7 --floor --environment-from 0,1,0.5 --material \"kd=0.1 mirror=0.7\"",
         "cube --floor --shadows map --shadow-map-size 64 --shadow-bias 2 --shadow-pcf 3",

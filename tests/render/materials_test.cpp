@@ -56,6 +56,23 @@ TEST(Materials, IllumOneHasNoHighlight) {
     }
 }
 
+TEST(Materials, AReflectionMapMakesAMirrorOfWhatHasAHighlight) {
+    auto chrome = file_material(2);
+    EXPECT_EQ(shading_material(chrome).mirror, glm::vec3(0.0f));
+    chrome.maps[mesh::MapUse::sphere] = {};
+    EXPECT_EQ(shading_material(chrome).mirror, glm::vec3(0.7f, 0.8f, 0.9f));
+    chrome.illumination = 0;
+    EXPECT_EQ(shading_material(chrome).mirror, glm::vec3(0.0f));
+}
+
+TEST(Materials, LightThatComesThroughIsFiltered) {
+    auto glass = file_material(2);
+    glass.filter = {0.1f, 0.2f, 0.3f};
+    EXPECT_EQ(shading_material(glass).filter, glm::vec3(0.1f, 0.2f, 0.3f));
+    glass.illumination = 0;
+    EXPECT_EQ(shading_material(glass).filter, glm::vec3(0.1f, 0.2f, 0.3f));
+}
+
 TEST(Materials, FacetsHaveTheFilesIndexWhereItIsOne) {
     auto glass = file_material(2);
     glass.refraction = 1.7f;

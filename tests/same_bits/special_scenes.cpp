@@ -325,6 +325,7 @@ NamedScenes special_scenes() {
     add(scenes, by_each_shading("colored", colored));
     add(scenes, by_each_shading("motley", motley));
     add(scenes, by_each_shading("glowing", glowing));
+    scenes.push_back({"glowing/shadows", [] { return glowing({.shadows = Shadows::zfail}); }});
     add(scenes, by_each_shading("several-objects", several_objects));
     add(scenes, by_each_shading("own-settings", own_settings));
     add(scenes, by_each_shading("samples/16", sampled_before_nothing));

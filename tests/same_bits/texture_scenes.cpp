@@ -182,6 +182,13 @@ TestScene own_glass_scene(const Settings& settings, Shading of_ring) {
     return test;
 }
 
+/// Glass that changes the colour of what is behind it: of the ring, and of a part of the teapot.
+TestScene stained(TestScene test) {
+    for (Object& object : test.scene.objects)
+        object.materials.back().filter = {0.9f, 0.3f, 0.5f};
+    return test;
+}
+
 /// In the light of an environment, which is mirrored and seen.
 TestScene room_scene(shading::EnvironmentLayout layout, const Settings& settings) {
     TestScene test = glass_scene(false, settings);
@@ -191,6 +198,19 @@ TestScene room_scene(shading::EnvironmentLayout layout, const Settings& settings
     test.scene.surroundings = test.scene.diffuse = test.scene.mirrored;
     for (Object& object : test.scene.objects)
         object.materials.back().mirror = {0.5f, 0.6f, 0.3f};
+    return test;
+}
+
+/// Of some materials the environment mirrored is their own; some glow, too.
+TestScene own_room_scene(const Settings& settings) {
+    TestScene test = room_scene(shading::EnvironmentLayout::latitudes, settings);
+    shading::Environment own{shading::EnvironmentLayout::cube, {}, glm::mat3(1.0f)};
+    own.images.fill(test_image(9, 9));
+    for (Object& object : test.scene.objects) {
+        object.textures.resize(object.materials.size());
+        object.textures.back().mirrored = std::make_shared<const shading::Environment>(own);
+        object.materials.front().emission = {0.3f, 0.2f, 0.1f};
+    }
     return test;
 }
 
@@ -223,6 +243,9 @@ NamedScenes room_scenes() {
     add("shadows", latitudes, {.shadows = Shadows::zfail});
     add("gouraud", latitudes, {.shading = Shading::gouraud});
     add("samples", latitudes, {.grid = 2});
+    scenes.push_back({"room/own", [] { return own_room_scene({}); }});
+    scenes.push_back(
+        {"room/own-shadows", [] { return own_room_scene({.shadows = Shadows::zfail}); }});
     scenes.push_back({"room/refracted", [] { return refracting_scene({}); }});
     scenes.push_back({"room/refracted-one-side",
                       [] { return refracting_scene({.cull = Cull::front, .sides = Sides::one}); }});
@@ -247,6 +270,10 @@ NamedScenes glass_scenes() {
     add("samples-flat", true, {.shading = Shading::flat, .grid = 2});
     add("samples-shadows", false, {.shadows = Shadows::zfail, .grid = 2});
     add("samples-map", false, {.shadows = Shadows::map, .grid = 2});
+    for (const auto shadows : {Shadows::none, Shadows::zfail}) {
+        scenes.push_back({shadows == Shadows::none ? "glass/stained" : "glass/stained-shadows",
+                          [=] { return stained(glass_scene(true, {.shadows = shadows})); }});
+    }
     scenes.push_back({"glass/own", [] { return own_glass_scene({}, Shading::gouraud); }});
     scenes.push_back({"glass/own-shadows",
                       [] { return own_glass_scene({.shadows = Shadows::zfail}, Shading::flat); }});

@@ -75,8 +75,18 @@ TEST(Layers, BehindAnOpaquePaneNothingShows) {
     std::vector<Pane> panes = random_panes(random);
     panes.push_back({Rgb<double>(0.5), 0});
     const Layers<double> layers = front_to_back(panes);
-    EXPECT_EQ(layers.transparency, 0);
+    EXPECT_EQ(layers.transparency, Rgb<double>(0));
     EXPECT_EQ(before(layers, Rgb<double>(0)), before(layers, Rgb<double>(1)));
+}
+
+TEST(Layers, StainedGlassFiltersWhatIsBehindItAndNotItsOwnLight) {
+    const Rgb<double> red(1, 0.5, 0);
+    const auto glass = with_pane_behind(Layers<double>{}, Rgb<double>(0.2), 0.25, red);
+    EXPECT_EQ(glass.light, Rgb<double>(0.05));
+    EXPECT_EQ(before(glass, Rgb<double>(1)), Rgb<double>(0.8, 0.425, 0.05));
+    const auto two = with_pane_behind(glass, Rgb<double>(0.4), 0.5, Rgb<double>(0, 1, 1));
+    EXPECT_EQ(two.light, glass.light + red * (0.75 * 0.5 * 0.4));
+    EXPECT_EQ(two.transparency, Rgb<double>(0, 0.1875, 0));
 }
 
 TEST(Layers, TheirOrderMatters) {
