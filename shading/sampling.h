@@ -60,11 +60,8 @@ Neighbours<Real> neighbours(Real u, Whole<Real> size, Wrap wrap) noexcept {
 template <class Real>
 struct TexelColor {
     static Rgb<Real> at(const TexelImage& image, Whole<Real> index) noexcept {
-        using W = Wholes<Real>;
-        const Whole<Real> place = index + index;
-        const Whole<Real> red_green = W::fetched(image.words(), place);
-        const Whole<Real> blue_alpha = W::fetched(image.words() + 1, place);
-        return {real_of_half<Real>(red_green), real_of_half<Real>(W::shifted_right(red_green, 16)),
+        const auto [red_green, blue_alpha] = Wholes<Real>::fetched_two(image.words(), index);
+        return {real_of_half<Real>(red_green), real_of_high_half<Real>(red_green),
                 real_of_half<Real>(blue_alpha)};
     }
 };
@@ -75,7 +72,7 @@ struct TexelAlpha {
     static Real at(const TexelImage& image, Whole<Real> index) noexcept {
         using W = Wholes<Real>;
         const Whole<Real> blue_alpha = W::fetched(image.words() + 1, index + index);
-        return real_of_half<Real>(W::shifted_right(blue_alpha, 16));
+        return real_of_high_half<Real>(blue_alpha);
     }
 };
 

@@ -45,13 +45,20 @@ private:
 /// is 0.
 std::uint16_t half_from_float(float value);
 
-/// Of the 16-bit float in the low bits of `bits`, exactly.
+/// Of the 16-bit float in the high half of `bits`, exactly. Moved down by three bits it is a
+/// float's sign, a small exponent and the mantissa, if copies of the sign are taken out.
+template <class Real>
+Real real_of_high_half(Whole<Real> bits) noexcept {
+    using W = Wholes<Real>;
+    constexpr auto float_bits = static_cast<std::int32_t>(0x8fffe000u);
+    const Whole<Real> moved = W::divided_by_power(bits, 3);
+    return W::real_of_float_bits(moved & Whole<Real>(float_bits)) * Real(0x1p112f);
+}
+
+/// The same of the low half.
 template <class Real>
 Real real_of_half(Whole<Real> bits) noexcept {
-    using W = Wholes<Real>;
-    const Whole<Real> sign = W::shifted_left(bits & Whole<Real>(0x8000), 16);
-    const Whole<Real> rest = W::shifted_left(bits & Whole<Real>(0x7fff), 13);
-    return W::real_of_float_bits(sign | rest) * Real(0x1p112f);
+    return real_of_high_half<Real>(Wholes<Real>::shifted_left(bits, 16));
 }
 
 }  // namespace scanlight::shading

@@ -22,6 +22,13 @@ struct Wholes<Real> {
     static Type truncated(Real x) noexcept { return static_cast<Type>(x); }
     static Real real(Type whole) noexcept { return static_cast<Real>(whole); }
     static Type fetched(const std::int32_t* from, Type index) noexcept { return from[index]; }
+    /// from[2 index] and the one behind it.
+    struct Two {
+        Type first, second;
+    };
+    static Two fetched_two(const std::int32_t* from, Type index) noexcept {
+        return {from[2 * index], from[2 * index + 1]};
+    }
     /// As bits: what leaves at one end is lost, and zeros come in at the other.
     static Type shifted_left(Type bits, int by) noexcept {
         return static_cast<Type>(static_cast<std::uint32_t>(bits) << by);
@@ -29,6 +36,8 @@ struct Wholes<Real> {
     static Type shifted_right(Type bits, int by) noexcept {
         return static_cast<Type>(static_cast<std::uint32_t>(bits) >> by);
     }
+    /// As a number: the sign comes in, instead of zeros.
+    static Type divided_by_power(Type number, int by) noexcept { return number >> by; }
     /// Modulo 2^32.
     static Type sum(Type a, Type b) noexcept {
         return static_cast<Type>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));

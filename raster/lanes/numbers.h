@@ -151,6 +151,10 @@ Ints shift_right(Ints a) {
 inline Ints bits_moved_up(Ints a, int by) {
     return hn::ShiftLeftSame(a.v, by);
 }
+/// Rounded down.
+inline Ints divided_by_power_of_two(Ints a, int by) {
+    return hn::ShiftRightSame(a.v, by);
+}
 inline Ints bits_moved_down(Ints a, int by) {
     return hn::BitCast(IntTag(), hn::ShiftRightSame(hn::BitCast(UnsignedTag(), a.v), by));
 }
@@ -237,6 +241,9 @@ inline std::int32_t joined_bits(Ints a) {
     for (const std::int32_t lane : lanes)
         bits |= lane;
     return bits;
+}
+inline std::int32_t first_lane(Ints a) {
+    return hn::GetLane(a.v);
 }
 /// One bit a lane, the first lane's the lowest.
 inline std::uint32_t bits_of(Mask mask) {
@@ -365,6 +372,27 @@ inline void store(Longs a, std::int64_t* to) {
 }
 inline Ints gather(const std::int32_t* base, Ints index) {
     return hn::GatherIndex(IntTag(), base, index.v);
+}
+struct IntPairs {
+    Ints first, second;
+};
+/// base[2 index] and the one behind it. Both of a lane are fetched at once where that is one
+/// instruction for several lanes: the time goes by the fetches.
+inline IntPairs gather_pairs(const std::int32_t* base, Ints index) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX2
+    const HalfIntTag half;
+    const auto* pairs = reinterpret_cast<const std::int64_t*>(base);  // never read as such by C++
+    const auto fetched = [&](auto indices) {
+        const auto wide = hn::GatherIndex(LongTag(), pairs, hn::PromoteTo(LongTag(), indices));
+        return hn::BitCast(IntTag(), wide);
+    };
+    const auto low = fetched(hn::LowerHalf(half, index.v));
+    const auto high = fetched(hn::UpperHalf(half, index.v));
+    return {hn::ConcatEven(IntTag(), high, low), hn::ConcatOdd(IntTag(), high, low)};
+#else
+    const Ints first = index + index;
+    return {gather(base, first), gather(base + 1, first)};
+#endif
 }
 inline Floats gather(const float* base, Ints index) {
     return hn::GatherIndex(FloatTag(), base, index.v);

@@ -24,8 +24,14 @@ struct Wholes<raster::HWY_NAMESPACE::Floats> {
     static Type truncated(Floats x) { return raster::HWY_NAMESPACE::truncated(x); }
     static Floats real(Type whole) { return floats_of(whole); }
     static Type fetched(const std::int32_t* from, Type index) { return gather(from, index); }
+    static raster::HWY_NAMESPACE::IntPairs fetched_two(const std::int32_t* from, Type index) {
+        return gather_pairs(from, index);
+    }
     static Type shifted_left(Type bits, int by) { return bits_moved_up(bits, by); }
     static Type shifted_right(Type bits, int by) { return bits_moved_down(bits, by); }
+    static Type divided_by_power(Type number, int by) {
+        return divided_by_power_of_two(number, by);
+    }
     static Type sum(Type a, Type b) { return a + b; }
     static Type product(Type a, Type b) { return a * b; }
     static Floats real_of_float_bits(Type bits) { return floats_from_bits(bits); }
@@ -83,6 +89,7 @@ struct PixelLanes {
     Ints attributes[raster::most_attributes];
 
     Ints face() const { return item & Ints(static_cast<std::int32_t>(raster::face_mask)); }
+    bool is_one_face() const { return all(item == Ints(first_lane(item))); }
     Mask back() const { return item < Ints(0); }
     VectorLanes vector(int first) const {
         return {float_lanes(attributes[first]), float_lanes(attributes[first + 1]),
@@ -216,10 +223,18 @@ inline VectorLanes screen_at(const PixelLanes& pixels) {
             floats_of(pixels.depth) * Floats(raster::ndc_a_depth)};
 }
 
+/// What the pixels' faces have. Mostly it is one face: a fetch for each pixel takes much longer.
+inline VectorLanes of_faces(const std::vector<glm::vec3>& vectors, const PixelLanes& pixels) {
+    const Ints face = pixels.face();
+    if (!pixels.is_one_face()) return gather(vectors, face);
+    const glm::vec3& v = vectors[static_cast<std::size_t>(first_lane(face))];
+    return {Floats(v.x), Floats(v.y), Floats(v.z)};
+}
+
 /// Of the side seen, world space.
 inline VectorLanes face_normal(const ObjectPass& pass, const PixelLanes& pixels) {
     const VectorLanes normal = transformed_normal(pass.placing.normals_from_object,
-                                                  gather(pass.mesh().face_normals, pixels.face()));
+                                                  of_faces(pass.mesh().face_normals, pixels));
     return shading::select(pixels.back(), -normal, normal);
 }
 
@@ -320,8 +335,8 @@ private:
         if (!pass_.textured.has_uvs) return {Floats(0), Floats(0), nothing, nothing};
         const VectorLanes uv = undivided(pixels, pass_.textured.uvs(), 2);
         const glm::mat3& gradients = pass_.placing.normals_from_object;
-        const auto gradient = [&](const std::vector<glm::vec3>& of_faces) {
-            return transformed_gradient(gradients, gather(of_faces, pixels.face()));
+        const auto gradient = [&](const std::vector<glm::vec3>& vectors) {
+            return transformed_gradient(gradients, of_faces(vectors, pixels));
         };
         return {uv.x * Floats(pass_.uv_unit), uv.y * Floats(pass_.uv_unit),
                 gradient(pass_.mesh().face_grad_u), gradient(pass_.mesh().face_grad_v)};
