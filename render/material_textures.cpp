@@ -82,8 +82,14 @@ ImageChannel channel_for(MapUse use, const TextureMap& map) {
     }
 }
 
+shading::Wrap wrap_of(const TextureMap& map) {
+    return map.clamped ? shading::Wrap::clamp : shading::Wrap::repeat;
+}
+
 WantedTexture wanted_for(MapUse use, const TextureMap& map) {
-    return {map.path, slot_of(use)->meaning, channel_for(use, map)};
+    WantedTexture wanted{map.path, slot_of(use)->meaning, channel_for(use, map)};
+    if (use == MapUse::bump) wanted.slopes = wrap_of(map);
+    return wanted;
 }
 
 /// Files are careless; beyond this no picture changes, and nothing may become infinite.
@@ -103,7 +109,7 @@ shading::Texture texture_of(const TextureMap& map,
     texture.offset = bounded(map.offset);
     texture.low = glm::vec3(bounded(map.base));
     texture.high = texture.low + bounded(map.gain);
-    if (map.clamped) texture.wrap = shading::Wrap::clamp;
+    texture.wrap = wrap_of(map);
     if (!map.blended_u && !map.blended_v) texture.filter = shading::Filter::nearest;
     return texture;
 }

@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <variant>
 
+#include "shading/slopes.h"
+
 namespace scanlight::render {
 
 LoadedTexture TextureLoader::loaded(const WantedTexture& wanted) {
@@ -12,11 +14,14 @@ LoadedTexture TextureLoader::loaded(const WantedTexture& wanted) {
         return {nullptr, wanted.path + ": the textures take more than " +
                              std::to_string(most_bytes_ >> 20) + " MiB together"};
     }
-    const auto image =
-        texel_image(channel_of(*picture_, wanted.channel), wanted.meaning, wanted.zero);
+    auto image = texel_image(channel_of(*picture_, wanted.channel), wanted.meaning, wanted.zero);
     if (!image) {
         return {nullptr,
                 wanted.path + ": a texture has at most " + std::to_string(most_texels) + " texels"};
+    }
+    if (wanted.slopes) {
+        image =
+            std::make_shared<const shading::TexelImage>(shading::slopes_of(*image, *wanted.slopes));
     }
     bytes_ += image->bytes();
     return {image, {}};

@@ -11,6 +11,7 @@
 #include "raster/image.h"
 #include "render/image_channel.h"
 #include "render/texture_image.h"
+#include "shading/sampling.h"
 
 namespace scanlight::render {
 
@@ -24,6 +25,7 @@ struct WantedTexture {
     TexelMeaning meaning;
     ImageChannel channel;
     RowAtZero zero = RowAtZero::lowest;
+    std::optional<shading::Wrap> slopes = {};  // of heights: how they go on beyond the edges
 
     auto operator<=>(const WantedTexture&) const = default;
 };

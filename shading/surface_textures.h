@@ -16,8 +16,8 @@ struct SurfaceTextures {
     std::optional<Texture> exponent;  // its number multiplies n
     std::optional<Texture> opacity;   // its number multiplies the opacity
     std::optional<Texture> emission;
-    std::optional<Texture> bump;                  // its luminance, a height, moves the normal
-    std::optional<Texture> normal;                // a normal map: 0 to 1 stands for -1 to 1
+    std::optional<Texture> bump;    // its luminance, a height, moves the normal; see `slopes_of`
+    std::optional<Texture> normal;  // a normal map: 0 to 1 stands for -1 to 1
     std::shared_ptr<const Environment> mirrored;  // by K_s' and K_t', in place of the scene's
     float bump_height = 1;                        // of luminance 1, world units
     float normal_scale = 1;                       // of x and y of the normal map

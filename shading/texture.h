@@ -5,9 +5,11 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
+#include "shading/luminance.h"
 #include "shading/mapping.h"
 #include "shading/pattern.h"
 #include "shading/sampling.h"
+#include "shading/slopes.h"
 #include "shading/texel_image.h"
 #include "shading/vector.h"
 
@@ -196,12 +198,6 @@ template <class Real>
                                      squared_texels_if_image(t, place, site));
 }
 
-/// Of a colour.
-template <class Real>
-Real luminance(const Rgb<Real>& c) noexcept {
-    return (c.x * Real(0.2126) + c.y * Real(0.7152)) + c.z * Real(0.0722);
-}
-
 /// The one number of a texture at a site.
 template <class Real>
 Real number_at(const PlacedTexture& placed, const TextureSite<Real>& site) noexcept {
@@ -209,37 +205,54 @@ Real number_at(const PlacedTexture& placed, const TextureSite<Real>& site) noexc
     return luminance(color_at(placed, site));
 }
 
-/// How the texture's luminance, a height, grows along the surface, world space: by differences over
-/// two texels of an image, or 1/512 of a pattern.
+/// How a height that fills space grows: by differences.
+template <class Real>
+Vec3<Real> solid_height_gradient(const Texture& t, const Vec3<Real>& p) noexcept {
+    constexpr float step = 0x1p-6f;
+    const auto slope = [&](int axis) {
+        Vec3<Real> offset(Real(0));
+        offset[axis] = Real(step);
+        const Real rise =
+            luminance(solid_color(t, p + offset)) - luminance(solid_color(t, p - offset));
+        return rise * Real(0.5f / step);
+    };
+    return {slope(0), slope(1), slope(2)};
+}
+
+/// How a function's height grows with u and v: by differences over 1/512.
+template <class Real>
+Slopes<Real> function_slopes(const Texture& t, Real u, Real v) noexcept {
+    constexpr float step = 0x1p-10f;
+    const auto height = [&](Real x, Real y) { return luminance(flat_color(t, x, y, Real(0))); };
+    return {(height(u + Real(step), v) - height(u - Real(step), v)) * Real(0.5f / step),
+            (height(u, v + Real(step)) - height(u, v - Real(step))) * Real(0.5f / step)};
+}
+
+/// The same of an image of slopes.
+template <class Real>
+Slopes<Real> image_slopes(const Texture& t, Real u, Real v, Real squared) noexcept {
+    const Slopes<Real> slopes = slopes_at(*t.image, t.filter, t.wrap, u, v, squared);
+    const float rise = luminance(t.high) - luminance(t.low);
+    return {slopes.u * Real(rise * static_cast<float>(t.image->width())),
+            slopes.v * Real(rise * static_cast<float>(t.image->height()))};
+}
+
+/// How the texture's luminance, a height, grows along the surface, world space. An image is one of
+/// slopes: see `slopes_of`.
 template <class Real>
 [[gnu::noinline]] Vec3<Real> height_gradient_at(const PlacedTexture& placed,
                                                 const TextureSite<Real>& site) noexcept {
     const Texture& t = *placed.texture;
     if (fills_space(t.pattern)) {
         const Vec3<Real> p = mapped_point(placed.texture_from_world, site.point);
-        constexpr float step = 0x1p-6f;
-        const auto slope = [&](int axis) {
-            Vec3<Real> offset(Real(0));
-            offset[axis] = Real(step);
-            const Real rise =
-                luminance(solid_color(t, p + offset)) - luminance(solid_color(t, p - offset));
-            return rise * Real(0.5f / step);
-        };
-        return gradient_before(placed.texture_from_world, Vec3<Real>(slope(0), slope(1), slope(2)));
+        return gradient_before(placed.texture_from_world, solid_height_gradient(t, p));
     }
     const TexturePlace<Real> place = place_on(placed, site);
-    const Real squared = squared_texels_if_image(t, place, site);
-    const bool is_image = t.pattern == Pattern::image;
-    const float step_u = is_image ? 1.0f / static_cast<float>(t.image->width()) : 0x1p-10f;
-    const float step_v = is_image ? 1.0f / static_cast<float>(t.image->height()) : 0x1p-10f;
-    const auto height = [&](Real u, Real v) { return luminance(flat_color(t, u, v, squared)); };
-    const Real F_u =
-        (height(place.u + Real(step_u), place.v) - height(place.u - Real(step_u), place.v)) *
-        Real(0.5f / step_u);
-    const Real F_v =
-        (height(place.u, place.v + Real(step_v)) - height(place.u, place.v - Real(step_v))) *
-        Real(0.5f / step_v);
-    return place.grad_u * F_u + place.grad_v * F_v;
+    const Slopes<Real> F =
+        t.pattern == Pattern::image
+            ? image_slopes(t, place.u, place.v, squared_texels_if_image(t, place, site))
+            : function_slopes(t, place.u, place.v);
+    return place.grad_u * F.u + place.grad_v * F.v;
 }
 
 }  // namespace scanlight::shading

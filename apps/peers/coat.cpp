@@ -61,6 +61,10 @@ shading::SurfaceTextures coat_textures(Coat coat) {
     texture.repeat = glm::vec2(coat_repeat);
     texture.image = render::texel_image(
         coat_image(coat), is_bump ? render::TexelMeaning::value : render::TexelMeaning::color);
+    if (is_bump) {
+        texture.image = std::make_shared<const shading::TexelImage>(
+            shading::slopes_of(*texture.image, texture.wrap));
+    }
     textures.bump_height = coat_height;
     (is_bump ? textures.bump : textures.diffuse) = texture;
     return textures;

@@ -172,9 +172,7 @@ vec3 height_gradient() {
     vec3 face = cross(x, y);
     mat2x3 to_space = mat2x3(cross(y, face), cross(face, x)) / dot(face, face);
     vec2 texels = vec2(textureSize(image, 0));
-    vec2 one_u = vec2(1.0 / texels.x, 0.0), one_v = vec2(0.0, 1.0 / texels.y);
-    vec2 slope = 0.5 * texels * vec2(texture(image, uv + one_u).r - texture(image, uv - one_u).r,
-                                     texture(image, uv + one_v).r - texture(image, uv - one_v).r);
+    vec2 slope = texels * texture(image, uv).rg;
     return to_space * vec2(dot(slope, dFdx(uv)), dot(slope, dFdy(uv))) * bump_height;
 }
 

@@ -18,18 +18,31 @@ std::vector<std::uint8_t> rows_from_below(const raster::Image8& image) {
     return bytes;
 }
 
+void upload_colors() {
+    const raster::Image8 image = coat_image(Coat::texture);
+    const auto bytes = rows_from_below(image);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, image.width(), image.height(), 0, GL_RGB,
+                 GL_UNSIGNED_BYTE, bytes.data());
+}
+
+/// The two 16-bit floats that our own texels begin with.
+void upload_slopes() {
+    const auto image = coat_textures(Coat::bump).bump->image;
+    std::vector<std::int32_t> slopes;
+    for (int i = 0; i < image->width() * image->height(); ++i)
+        slopes.push_back(image->words()[2 * i]);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, image->width(), image->height(), 0, GL_RG,
+                 GL_HALF_FLOAT, slopes.data());
+}
+
 }  // namespace
 
 GLuint gl_texture(Coat coat) {
-    const raster::Image8 image = coat_image(coat);
-    const auto bytes = rows_from_below(image);
-    const bool is_bump = coat == Coat::bump;
     GLuint texture = 0;
     glGenTextures(1, &texture);
     glBindTexture(GL_TEXTURE_2D, texture);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, is_bump ? GL_R8 : GL_SRGB8_ALPHA8, image.width(), image.height(),
-                 0, is_bump ? GL_RED : GL_RGB, GL_UNSIGNED_BYTE, bytes.data());
+    coat == Coat::bump ? upload_slopes() : upload_colors();
     glGenerateMipmap(GL_TEXTURE_2D);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);

@@ -165,11 +165,18 @@ SlotNames laid_over(SlotNames below, const SlotNames& above) {
     return below;
 }
 
-std::shared_ptr<const shading::TexelImage> TextureImages::image(const TextureOption& option,
-                                                                TextureSlot slot) {
+TextureImages::Image TextureImages::image(const TextureOption& option, TextureSlot slot) {
     auto& image = images_[{option.image_path, meaning_in(slot)}];
     if (image == nullptr)
         image = scene_image(option.image_path, meaning_in(slot), option.stated_at);
+    return slot == TextureSlot::bump ? slopes(option, image) : image;
+}
+
+TextureImages::Image TextureImages::slopes(const TextureOption& option, const Image& heights) {
+    const shading::Wrap wrap = option.texture.wrap;
+    auto& image = slopes_[{option.image_path, wrap}];
+    if (image == nullptr)
+        image = std::make_shared<const shading::TexelImage>(shading::slopes_of(*heights, wrap));
     return image;
 }
 

@@ -52,13 +52,16 @@ SlotNames laid_over(SlotNames below, const SlotNames& above);
 /// Image files as textures, each read once.
 class TextureImages {
 public:
+    using Image = std::shared_ptr<const shading::TexelImage>;
+
     /// Throws UsageError for a file that is no picture, or too large a one.
-    std::shared_ptr<const shading::TexelImage> image(const TextureOption& option, TextureSlot slot);
+    Image image(const TextureOption& option, TextureSlot slot);
 
 private:
-    std::map<std::pair<std::string, render::TexelMeaning>,
-             std::shared_ptr<const shading::TexelImage>>
-        images_;
+    Image slopes(const TextureOption& option, const Image& heights);
+
+    std::map<std::pair<std::string, render::TexelMeaning>, Image> images_;
+    std::map<std::pair<std::string, shading::Wrap>, Image> slopes_;
 };
 
 /// Puts a texture on a mesh with these bounds.

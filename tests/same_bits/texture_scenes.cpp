@@ -41,6 +41,12 @@ Texture image(Filter filter, Wrap wrap) {
     return t;
 }
 
+Texture slopes(Filter filter, Wrap wrap) {
+    Texture t = image(filter, wrap);
+    t.image = std::make_shared<const shading::TexelImage>(shading::slopes_of(*t.image, wrap));
+    return t;
+}
+
 Texture pattern(Pattern pattern, Mapping mapping) {
     Texture t;
     t.pattern = pattern;
@@ -107,8 +113,10 @@ std::vector<NamedTextures> several_textures() {
     add("solid-checker").diffuse = solid(Pattern::solid_checker, 4.0f);
     add("bump-waves").bump = pattern(Pattern::waves, Mapping::uv);
     all.back().textures.bump_height = 0.05f;
-    add("bump-image").bump = image(Filter::trilinear, Wrap::repeat);
+    add("bump-image").bump = slopes(Filter::trilinear, Wrap::repeat);
     all.back().textures.bump_height = 0.03f;
+    add("bump-mirror").bump = slopes(Filter::bilinear, Wrap::mirror);
+    all.back().textures.bump_height = 0.05f;
     add("bump-marble").bump = solid(Pattern::marble, 3.0f);
     add("normal-map").normal = image(Filter::bilinear, Wrap::repeat);
     add("emission").emission = image(Filter::trilinear, Wrap::clamp);
