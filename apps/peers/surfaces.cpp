@@ -15,13 +15,6 @@ double hills(const glm::dvec3& p) {
            0.2 * mesh::sine(20.0 * p.x) * mesh::sine(20.0 * p.y + 1.0);
 }
 
-/// A point of the surface is one vertex, also where a texture would have its seam.
-void forget_uvs(mesh::PolygonSoup& soup) {
-    soup.uvs.clear();
-    for (auto& corner : soup.corners)
-        corner.uv = mesh::PolygonSoup::none;
-}
-
 /// From -1 to 1 in `count` steps.
 double across(std::uint32_t i, std::uint32_t count) {
     return 2.0 * i / count - 1.0;
@@ -34,7 +27,8 @@ void add_layer(mesh::PolygonSoup& soup, const glm::dvec2& half_size, double z, d
         const auto i = static_cast<std::uint32_t>(soup.positions.size());
         soup.positions.emplace_back(glm::dvec3(side * half_size, z));
         soup.normals.emplace_back(glm::dvec3(side * tilt, 1.0));
-        soup.corners.push_back({i, i});
+        soup.uvs.emplace_back(0.5 + 0.5 * side);
+        soup.corners.push_back({i, i, i});
     }
     soup.face_begin.push_back(static_cast<std::uint32_t>(soup.corners.size()));
 }
@@ -43,7 +37,6 @@ void add_layer(mesh::PolygonSoup& soup, const glm::dvec2& half_size, double z, d
 
 mesh::PolygonSoup displaced_sphere(std::uint32_t rings) {
     mesh::PolygonSoup soup = mesh::uv_sphere(2 * rings, rings + 1);
-    forget_uvs(soup);
     for (glm::vec3& p : soup.positions)
         p *= static_cast<float>(1.0 + 0.14 * hills(glm::dvec3(p)));
     return soup;
@@ -56,15 +49,13 @@ mesh::PolygonSoup wavy_sheet(std::uint32_t columns, std::uint32_t rows, double a
             const glm::dvec2 p(aspect * across(column, columns), across(row, rows));
             const double z = 0.03 * mesh::sine(9.0 * p.x) * mesh::sine(11.0 * p.y + 1.0);
             soup.positions.emplace_back(glm::dvec3(p, z));
+            soup.uvs.emplace_back(0.5 + 0.5 * p);
         }
     }
-    for (std::uint32_t row = 0; row < rows; ++row) {
-        for (std::uint32_t column = 0; column < columns; ++column) {
-            const std::uint32_t below = row * (columns + 1) + column;
-            const std::uint32_t above = below + columns + 1;
-            mesh::add_face(soup, {below, below + 1, above + 1, above});
-        }
-    }
+    mesh::add_quads(soup, columns, rows, [=](std::uint32_t column, std::uint32_t row) {
+        const std::uint32_t i = (rows - row) * (columns + 1) + column;  // theirs run down
+        return mesh::PolygonSoup::Corner{i, mesh::PolygonSoup::none, i};
+    });
     return soup;
 }
 
