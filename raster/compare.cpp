@@ -195,6 +195,16 @@ double furthest(const Pair& pair, int x, int y) {
 }
 
 template <class Pair>
+Plane<double> differences_of(const Pair& pair) {
+    Plane<double> differences({pair.width(), pair.height()}, 0.0);
+    for (int y = 0; y < pair.height(); ++y) {
+        for (int x = 0; x < pair.width(); ++x)
+            differences.at(x, y) = furthest(pair, x, y) / pair.peak();
+    }
+    return differences;
+}
+
+template <class Pair>
 Image8 picture_of(const Pair& pair) {
     Image8 picture(pair.width(), pair.height(), 3);
     for (int y = 0; y < pair.height(); ++y) {
@@ -211,6 +221,10 @@ Image8 picture_of(const Pair& pair) {
 
 Difference compare(const AnyImage& first, const AnyImage& second) {
     return with_pair(first, second, [](const auto& pair) { return difference_of(pair); });
+}
+
+Plane<double> pixel_differences(const AnyImage& first, const AnyImage& second) {
+    return with_pair(first, second, [](const auto& pair) { return differences_of(pair); });
 }
 
 double psnr_db(const Difference& difference) {

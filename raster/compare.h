@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "raster/framebuffer.h"
 #include "raster/image.h"
 
 namespace scanlight::raster {
@@ -32,6 +33,10 @@ struct Difference {
 /// double: exact for 8 bits, the same on every machine for all. Throws ImageError when the sizes
 /// differ, or one has floats and the other has not.
 Difference compare(const AnyImage& first, const AnyImage& second);
+
+/// How far apart the channels of each pixel are at most, in parts of the peak. Throws as compare
+/// does.
+Plane<double> pixel_differences(const AnyImage& first, const AnyImage& second);
 
 /// Peak signal-to-noise ratio, 20 log10(peak / rms), in decibels; infinite for equal pictures.
 double psnr_db(const Difference& difference);

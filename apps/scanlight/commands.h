@@ -12,6 +12,7 @@ namespace scanlight::apps {
 void add_render_command(CLI::App& program);
 void add_info_command(CLI::App& program);
 void add_diff_command(CLI::App& program);
+void add_grade_command(CLI::App& program);
 void add_steps_command(CLI::App& program);
 void add_gallery_command(CLI::App& program);
 void add_shapes_command(CLI::App& program);

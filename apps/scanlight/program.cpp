@@ -33,6 +33,7 @@ void add_commands(CLI::App& program) {
     add_render_command(program);
     add_info_command(program);
     add_diff_command(program);
+    add_grade_command(program);
     add_steps_command(program);
     add_gallery_command(program);
     add_shapes_command(program);

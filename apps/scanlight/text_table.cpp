@@ -13,9 +13,9 @@ std::size_t width_of(const std::string& word) {
         std::count_if(word.begin(), word.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-std::string padded(const std::string& word, std::size_t width) {
+std::string blanks_beside(const std::string& word, std::size_t width) {
     const std::size_t own = width_of(word);
-    return std::string(width > own ? width - own : 0, ' ') + word;
+    return std::string(width > own ? width - own : 0, ' ');
 }
 
 std::string without_trailing_blanks(std::string line) {
@@ -44,7 +44,9 @@ std::string TextTable::text(const std::string& indent) const {
     for (const auto& row : rows_) {
         std::string line = indent;
         for (std::size_t k = 0; k < row.size() && k < widths.size(); ++k) {
-            line += (k == 0 ? "" : "  ") + padded(row[k], widths[k]);
+            const std::string blanks = blanks_beside(row[k], widths[k]);
+            line += k == 0 ? "" : "  ";
+            line += left_.contains(k) ? row[k] + blanks : blanks + row[k];
         }
         result += without_trailing_blanks(line) + "\n";
     }
