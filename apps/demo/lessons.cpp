@@ -8,10 +8,10 @@ namespace scanlight::demo {
 
 const std::vector<Lesson>& lessons() {
     static const std::vector<Lesson> all{
-        edge_table_lesson(),       mach_bands_lesson(),  lost_highlight_lesson(),
-        orientation_lesson(),      perspective_lesson(), averaged_normals_lesson(),
-        silhouette_lesson(),       phong_terms_lesson(), cook_torrance_lesson(),
-        shadow_volumes_lesson(),   transparency_lesson(), mappings_lesson(),
+        edge_table_lesson(),     mach_bands_lesson(),   lost_highlight_lesson(),
+        orientation_lesson(),    perspective_lesson(),  averaged_normals_lesson(),
+        silhouette_lesson(),     phong_terms_lesson(),  cook_torrance_lesson(),
+        shadow_volumes_lesson(), transparency_lesson(), mappings_lesson(),
     };
     return all;
 }

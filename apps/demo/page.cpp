@@ -93,11 +93,15 @@ std::string kind_word(WalkStep::Kind kind) {
 }
 
 /// The recorded trace, and the order in which a person steps through it.
-Json steps_json(const render::PolygonSteps& steps) {
+Json walked_json(const Walked& walked, Pictures& pictures) {
+    const render::PolygonSteps& steps = walked.steps;
     Json walk = Json::array();
     for (const WalkStep& step : walk_of(steps.trace))
         walk.push_back({kind_word(step.kind), step.edge, step.line, step.span, step.x});
-    return {{"polygon", apps::polygon_json(steps)}, {"names", steps.names}, {"walk", walk}};
+    return {{"polygon", apps::polygon_json(steps)},
+            {"names", steps.names},
+            {"walk", walk},
+            {"picture", pictures.add(walked.picture)}};
 }
 
 Json screen_json(const Screen& screen, Pictures& pictures) {
@@ -105,8 +109,8 @@ Json screen_json(const Screen& screen, Pictures& pictures) {
     for (const Panel& panel : screen.panels)
         panels.push_back(panel_json(panel, pictures));
     Json json{{"panels", panels}, {"numbers", numbers_json(screen)}, {"plots", plots_json(screen)}};
-    if (screen.steps) {
-        json["steps"] = steps_json(*screen.steps);
+    if (screen.walked) {
+        json["steps"] = walked_json(*screen.walked, pictures);
     } else {
         json["tables"] = tables_json(screen);
     }
@@ -163,8 +167,8 @@ Json lesson_json(const Lesson& lesson, const PageOptions& options, Pictures& pic
         places.push_back({{"file", place.file}, {"function", place.function}});
     Json screens = Json::array();
     for (const Settings& settings : all_settings(lesson))
-        screens.push_back(screen_json(lesson.draw(settings, options.panel_size, options.means),
-                                      pictures));
+        screens.push_back(
+            screen_json(lesson.draw(settings, options.panel_size, options.means), pictures));
     return {{"name", lesson.name},
             {"formula", texts().chapters().at(lesson.name).formula},
             {"controls", controls},
@@ -213,12 +217,11 @@ std::string course_page(const PageOptions& options,
     }
     const std::string language = options.language == Language::english ? "en" : "zh";
     const Json data{{"lessons", all}, {"texts", texts_json()}, {"pictures", pictures.urls()}};
-    return filled(embedded::index,
-                  {{"language", language},
-                   {"style", std::string(embedded::style)},
-                   {"data", in_script(data)},
-                   {"steps-script", std::string(embedded::steps_script)},
-                   {"page-script", std::string(embedded::page_script)}});
+    return filled(embedded::index, {{"language", language},
+                                    {"style", std::string(embedded::style)},
+                                    {"data", in_script(data)},
+                                    {"steps-script", std::string(embedded::steps_script)},
+                                    {"page-script", std::string(embedded::page_script)}});
 }
 
 }  // namespace scanlight::demo

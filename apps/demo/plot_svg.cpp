@@ -81,8 +81,8 @@ std::string curve(const Plot& plot, const Curve& curve, std::size_t number) {
     std::string points;
     for (const glm::dvec2& p : curve.points) {
         if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
-        points += (points.empty() ? "" : " ") + pixels(column(plot, p.x)) + "," +
-                  pixels(row(plot, p.y));
+        points +=
+            (points.empty() ? "" : " ") + pixels(column(plot, p.x)) + "," + pixels(row(plot, p.y));
     }
     return "<polyline class='curve c" + std::to_string(number) + "' points='" + points + "'/>";
 }
@@ -108,12 +108,13 @@ std::string plot_svg(const Plot& plot) {
     svg += line("axis", left, height - bottom, width - right, height - bottom) +
            line("axis", left, top, left, height - bottom);
     if (plot.here)
-        svg += line("here", column(plot, *plot.here), top, column(plot, *plot.here),
-                    height - bottom);
+        svg +=
+            line("here", column(plot, *plot.here), top, column(plot, *plot.here), height - bottom);
     for (std::size_t i = 0; i < plot.curves.size(); ++i)
         svg += curve(plot, plot.curves[i], i);
     svg += text("start", 6, 12, "{{" + plot.y.key + "}}");
-    svg += text("middle", (left + width - right) / 2, height - bottom + 28, "{{" + plot.x.key + "}}");
+    svg +=
+        text("middle", (left + width - right) / 2, height - bottom + 28, "{{" + plot.x.key + "}}");
     return svg + legend(plot) + "</svg>";
 }
 

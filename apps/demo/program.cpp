@@ -92,8 +92,9 @@ void add_lesson_options(CLI::App& program, Options& options) {
         ->check(CLI::NonNegativeNumber)
         ->needs(lesson);
     program
-        .add_option("-o,--output", options.output,
-                    "picture of the lesson's panels side by side; - writes a PNG to standard output")
+        .add_option(
+            "-o,--output", options.output,
+            "picture of the lesson's panels side by side; - writes a PNG to standard output")
         ->type_name("PNG")
         ->needs(lesson);
 }
@@ -107,7 +108,8 @@ void add_options(CLI::App& program, Options& options) {
         .add_option("--export", options.folder,
                     "write the whole course into DIR/index.html: one page that needs no network")
         ->type_name("DIR");
-    program.add_option("--language", options.language, "en or zh; a page has both, and begins in it")
+    program
+        .add_option("--language", options.language, "en or zh; a page has both, and begins in it")
         ->type_name("en|zh")
         ->capture_default_str();
     program.add_option("-s,--size", options.size, "size of each panel")

@@ -53,8 +53,15 @@ struct Plot {
 
 struct Table {
     std::string key;
-    std::vector<std::string> columns;  // symbols; {{key}} is a text
+    std::vector<std::string> columns;            // symbols; {{key}} is a text
     std::vector<std::vector<std::string>> rows;  // likewise
+};
+
+/// A polygon with the steps that the engine took, and the picture that they led to, pixel for
+/// pixel.
+struct Walked {
+    render::PolygonSteps steps;
+    raster::Image8 picture;
 };
 
 struct Screen {
@@ -62,7 +69,7 @@ struct Screen {
     std::vector<Number> numbers{};
     std::vector<Plot> plots{};
     std::vector<Table> tables{};
-    std::optional<render::PolygonSteps> steps{};  // to be stepped through
+    std::optional<Walked> walked{};  // to be stepped through
 };
 
 /// The panels side by side, with their marks.

@@ -83,8 +83,8 @@ void set(Settings& settings, const Lesson& lesson, const std::string& assignment
         throw UsageError("'" + assignment + "': expected CONTROL=VALUE");
     const Control& control = control_named(lesson, assignment.substr(0, equals));
     const std::string text = assignment.substr(equals + 1);
-    settings[control.name] =
-        std::visit([&](const auto& kind) { return parsed(kind, control.name, text); }, control.kind);
+    settings[control.name] = std::visit(
+        [&](const auto& kind) { return parsed(kind, control.name, text); }, control.kind);
 }
 
 void set_frame(Settings& settings, const Lesson& lesson, int frame) {

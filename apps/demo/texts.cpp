@@ -56,8 +56,8 @@ const std::string& Texts::of(const std::string& lesson, const std::string& key,
     for (const std::string& name : {lesson, std::string("common")}) {
         const auto chapter = chapters_.find(name);
         if (chapter == chapters_.end()) continue;
-        const Words& words = language == Language::english ? chapter->second.english
-                                                           : chapter->second.chinese;
+        const Words& words =
+            language == Language::english ? chapter->second.english : chapter->second.chinese;
         const auto found = words.find(key);
         if (found != words.end()) return found->second;
     }

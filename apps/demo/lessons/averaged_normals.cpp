@@ -68,15 +68,14 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
     const double crease = settings.at("crease");
     const std::string& weighting = weightings[static_cast<std::size_t>(settings.at("weighting"))];
     const mesh::Mesh mesh = built(weighting, crease);
-    Screen screen{{panel_of("faces",
-                            arguments(weighting, crease, "--shading flat --wireframe=over"), size,
-                            means),
-                   panel_of("averaged", arguments(weighting, crease, "--shading phong"), size,
-                            means),
-                   normals_panel(arguments(weighting, crease, "--shading phong"), size)},
-                  {{"faces", static_cast<double>(mesh.face_count())},
-                   {"vertices", static_cast<double>(mesh.vertices.size())},
-                   {"lean", most_lean(mesh), 1, "°"}}};
+    Screen screen{
+        {panel_of("faces", arguments(weighting, crease, "--shading flat --wireframe=over"), size,
+                  means),
+         panel_of("averaged", arguments(weighting, crease, "--shading phong"), size, means),
+         normals_panel(arguments(weighting, crease, "--shading phong"), size)},
+        {{"faces", static_cast<double>(mesh.face_count())},
+         {"vertices", static_cast<double>(mesh.vertices.size())},
+         {"lean", most_lean(mesh), 1, "°"}}};
     screen.plots = {{"lean-plot", {"crease-axis", 0, 180}, {"lean-axis", 0, 90}, {}, crease}};
     for (const std::string& word : weightings)
         screen.plots.front().curves.push_back(lean_curve(word));

@@ -23,11 +23,13 @@ using shading::Vec3;
 
 const std::vector<std::string> metals{"copper", "gold", "silver"};
 constexpr double degree = mesh::pi / 180.0;
-const std::string lights = " --ambient 0.05 --light -0.7,0.7,1,#bbb --light 1,0.2,0.4,#666";
+const std::string lights = " --ambient 0.05 --light -0.7,0.7,1,#999 --light 1,0.2,0.4,#555";
 
 /// By Phong, of the colour that the metal mirrors straight back.
 std::string plastic_arguments(const std::string& metal) {
-    const std::string color = metal == "copper" ? "#b4573a" : metal == "gold" ? "#c89a3c" : "#a8a8a4";
+    const std::string color = metal == "copper" ? "#b4573a"
+                              : metal == "gold" ? "#c89a3c"
+                                                : "#a8a8a4";
     return "teapot:6 --illumination phong --material \"kd=" + color + " ks=0.5 n=30\"" + lights;
 }
 
@@ -58,12 +60,12 @@ Plot facets_plot(double m) {
         return curve(key, 0, 90, [&](double c) { return shading::facet_density(c, slopes); });
     };
     const double most = shading::facet_density(1.0, FacetSlopes(FacetDistribution::beckmann, m));
-    return {"d-plot",
-            {"alpha-axis", 0, 90},
-            {"d-axis", 0, 1.1 * most},
-            {density("beckmann", FacetDistribution::beckmann),
-             density("gauss", FacetDistribution::gauss),
-             density("cosine", FacetDistribution::cosine)}};
+    return {
+        "d-plot",
+        {"alpha-axis", 0, 90},
+        {"d-axis", 0, 1.1 * most},
+        {density("beckmann", FacetDistribution::beckmann),
+         density("gauss", FacetDistribution::gauss), density("cosine", FacetDistribution::cosine)}};
 }
 
 /// Where light and eye are at one angle, on either side of N, and 30° before the eye's.
@@ -143,29 +145,29 @@ std::vector<Number> numbers_of(const Directions& at, const std::string& metal, d
     const FacetSlopes slopes(FacetDistribution::beckmann, m);
     const double VH = shading::dot(V, H);
     const Vec3<double> F = shading::reflectance_at(VH, reflectance_of(metal));
-    return {{"n-l", shading::dot(N, L), 3},
-            {"n-h", shading::dot(N, H), 3},
-            {"d", shading::facet_density(shading::dot(N, H), slopes), 3},
-            {"g", shading::facets_open(shading::dot(N, H), shading::dot(N, L), shading::dot(N, V), VH),
-             3},
-            {"f-red", F.x, 3},
-            {"f-green", F.y, 3},
-            {"f-blue", F.z, 3}};
+    return {
+        {"n-l", shading::dot(N, L), 3},
+        {"n-h", shading::dot(N, H), 3},
+        {"d", shading::facet_density(shading::dot(N, H), slopes), 3},
+        {"g", shading::facets_open(shading::dot(N, H), shading::dot(N, L), shading::dot(N, V), VH),
+         3},
+        {"f-red", F.x, 3},
+        {"f-green", F.y, 3},
+        {"f-blue", F.z, 3}};
 }
 
 Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& means) {
     const std::string& metal = metals[static_cast<std::size_t>(settings.at("metal"))];
     const double m = settings.at("m");
     const Stage stage(metal_arguments(metal, m), size);
-    const Pixel pixel = brightest(stage.framebuffer());
+    const Pixel pixel{size.width * 28 / 100, size.height * 45 / 100};  // in the highlight
     const Directions at = picked_point(stage, pixel).directions;
     const double light_deg =
         std::acos(std::clamp(shading::dot(at.N, at.L), -1.0, 1.0)) * 180.0 / mesh::pi;
-    Screen screen{{panel_of("plastic", plastic_arguments(metal), size, means),
-                   stage.panel("metal", means)},
-                  numbers_of(at, metal, m),
-                  {facets_plot(m), open_plot(), fresnel_plot(metal),
-                   lobe_plot(metal, m, light_deg)}};
+    Screen screen{
+        {panel_of("plastic", plastic_arguments(metal), size, means), stage.panel("metal", means)},
+        numbers_of(at, metal, m),
+        {facets_plot(m), open_plot(), fresnel_plot(metal), lobe_plot(metal, m, light_deg)}};
     screen.panels.back().marks = {mark_at(pixel)};
     return screen;
 }
@@ -174,7 +176,7 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
 
 Lesson cook_torrance_lesson() {
     return {"cook-torrance",
-            {{"m", "m", Slider{0.1, 0.6, 6, 0.3, 2}}, {"metal", "", Choice{metals}}},
+            {{"m", "m", Slider{0.1, 0.6, 6, 0.3, 2}}, {"metal", "", Choice{metals, 1}}},
             {{"shading/cook_torrance.h", "cook_torrance"},
              {"shading/microfacets.h", "beckmann_facets"},
              {"shading/microfacets.h", "facets_open"},

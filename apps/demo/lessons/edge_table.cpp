@@ -116,8 +116,7 @@ Panel panel_of_step(const Stage& stage, const PolygonSteps& steps,
     raster::Image8 large =
         enlarged(stage.picture(means), cell, stored_pixels(walk, step, steps.trace));
     draw_outline(large, stage.scene());
-    return {"grid", std::move(large),
-            "scanlight steps " + stage.arguments() + " --size 24x16",
+    return {"grid", std::move(large), "scanlight steps " + stage.arguments() + " --size 24x16",
             marks_of(steps.trace, walk[step], cell)};
 }
 
@@ -201,7 +200,7 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
                   {edges_table("edge-table", steps, entered(steps.trace, walk[at])),
                    edges_table("active-table", steps, active(steps.trace, walk[at])),
                    pixel_table(steps, walk[at])}};
-    screen.steps = std::move(steps);
+    screen.walked = {std::move(steps), stage.picture(means)};
     return screen;
 }
 

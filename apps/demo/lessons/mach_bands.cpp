@@ -27,7 +27,7 @@ std::string arguments(const std::string& shading, const Settings& settings) {
     const int slices = static_cast<int>(settings.at("slices"));
     return "sphere:" + std::to_string(slices) + "," + std::to_string(slices / 2) +
            " --view 0,10 --illumination lambert --material kd=0.9 --ambient 0.05 --light "
-           "-0.6,0.5,1 --shading " +
+           "-0.35,0.4,1 --shading " +
            shading;
 }
 
@@ -47,8 +47,8 @@ Stretch inner(const Stretch& stretch) {
 
 Profile profile_of(const std::string& key, const Stage& stage, int y) {
     const raster::Framebuffer picture = stage.framebuffer();
-    Profile profile{key, inner(surface_of_row(picture.depth, y)),
-                    intensities(picture.color, y), {}, {}};
+    Profile profile{
+        key, inner(surface_of_row(picture.depth, y)), intensities(picture.color, y), {}, {}};
     profile.change = changes(profile.light);
     profile.seen = shading::lateral_inhibition(std::span<const double>(profile.light));
     return profile;

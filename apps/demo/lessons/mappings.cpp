@@ -26,7 +26,8 @@ std::string plain_arguments(const Body& body) {
 
 std::string look_of(const std::string& surface, const std::string& mapping) {
     if (surface == "checker")
-        return " --texture \"diffuse=checker low=0.05 count=8 mapping=" + mapping + "\"";
+        return " --texture \"diffuse=checker low=0.05 count=8 offset=0.02,0.02 mapping=" + mapping +
+               "\"";
     if (surface == "wood") return " --texture \"diffuse=wood axis=y low=#40200c high=#c08040\"";
     if (surface == "bump")
         return " --texture \"bump=waves count=8 height=0.03 mapping=" + mapping + "\"";

@@ -16,8 +16,8 @@ namespace {
 constexpr double texels = 64.0;
 
 std::string view_text(const std::string& perspective, const Settings& settings) {
-    return "plane:1 --fov 75 --view 50," + apps::fixed(settings.at("elevation"), 0) +
-           " --zoom 1.3 --perspective " + perspective;
+    return "plane:1 --fov 60 --view 50," + apps::fixed(settings.at("elevation"), 0) +
+           " --perspective " + perspective;
 }
 
 std::string arguments(const std::string& perspective, const Settings& settings) {
@@ -29,7 +29,8 @@ std::string arguments(const std::string& perspective, const Settings& settings) 
 /// Ambient light alone on a surface as bright as u: a pixel's intensity is the u that it got.
 std::string parameter_arguments(const std::string& perspective, const Settings& settings) {
     return view_text(perspective, settings) +
-           " --texture \"ambient=gradient low=0 high=1\" --material \"ka=1 kd=0 ks=0\" --ambient 1 "
+           " --texture \"ambient=gradient low=0 high=1 wrap=clamp\" --material \"ka=1 kd=0 ks=0\" "
+           "--ambient 1 "
            "--light 0,0,1,#000";
 }
 
@@ -69,11 +70,11 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
     const Curve correct = parameter_curve("correct", settings, size);
     const Curve error = error_curve(affine, correct);
     const Axis pixels{"pixel-axis", 0, static_cast<double>(size.width)};
-    return {{cut_panel("affine", settings, size, means),
-             cut_panel("correct", settings, size, means)},
-            {{"worst-texels", most_of(error), 2}},
-            {{"parameter-plot", pixels, {"u-axis", 0, 1}, {affine, correct}},
-             {"error-plot", pixels, {"texel-axis", -20, 20}, {error}}}};
+    return {
+        {cut_panel("affine", settings, size, means), cut_panel("correct", settings, size, means)},
+        {{"worst-texels", most_of(error), 2}},
+        {{"parameter-plot", pixels, {"u-axis", 0, 1}, {affine, correct}},
+         {"error-plot", pixels, {"texel-axis", -24, 24}, {error}}}};
 }
 
 }  // namespace

@@ -57,8 +57,8 @@ Curve curve_of(const std::string& key, const Stage& stage, int y) {
 std::vector<Number> numbers_at(const PickedPoint& point, const Highlight& highlight) {
     const auto& [N, L, V, H, R] = point.directions;
     const shading::Exponent n(highlight.n);
-    const double term = highlight.illumination == "phong" ? shading::phong(N, L, V, n)
-                                                          : shading::blinn(N, L, H, n);
+    const double term =
+        highlight.illumination == "phong" ? shading::phong(N, L, V, n) : shading::blinn(N, L, H, n);
     return {{"n-l", shading::dot(N, L), 3},
             {"r-v", shading::dot(R, V), 3},
             {"n-h", shading::dot(N, H), 3},
@@ -69,33 +69,31 @@ std::vector<Number> numbers_at(const PickedPoint& point, const Highlight& highli
 Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& means) {
     const Highlight highlight = highlight_of(settings);
     const Terms terms(highlight, size);
-    const Pixel pixel = brightest(Terms({"phong", 20}, size).specular.framebuffer());
+    const Pixel pixel{size.width * 26 / 100, size.height * 40 / 100};  // beside the highlight
     Screen screen{{terms.ambient.panel("ambient", means), terms.diffuse.panel("diffuse", means),
                    terms.specular.panel("specular", means), terms.all.panel("all", means)},
-                  numbers_at(picked_point(terms.all, {pixel.x + size.width / 40, pixel.y}),
-                             highlight)};
-    screen.panels.back().marks = {mark_at({pixel.x + size.width / 40, pixel.y})};
-    screen.plots = {{"terms-plot",
-                     {"pixel-axis", 0, static_cast<double>(size.width)},
-                     {"light-axis", 0, 1.2},
-                     {curve_of("ambient", terms.ambient, pixel.y),
-                      curve_of("diffuse", terms.diffuse, pixel.y),
-                      curve_of("specular", terms.specular, pixel.y),
-                      curve_of("all", terms.all, pixel.y)}}};
+                  numbers_at(picked_point(terms.all, pixel), highlight)};
+    screen.panels.back().marks = {mark_at(pixel)};
+    screen.plots = {
+        {"terms-plot",
+         {"pixel-axis", 0, static_cast<double>(size.width)},
+         {"light-axis", 0, 1.2},
+         {curve_of("ambient", terms.ambient, pixel.y), curve_of("diffuse", terms.diffuse, pixel.y),
+          curve_of("specular", terms.specular, pixel.y), curve_of("all", terms.all, pixel.y)}}};
     return screen;
 }
 
 }  // namespace
 
 Lesson phong_terms_lesson() {
-    return {"phong-terms",
-            {{"n", "n", Slider{10, 90, 9, 20}},
-             {"model", "", Choice{{"r-v", "n-h", "n-h-matched"}}}},
-            {{"shading/ambient.h", "ambient"},
-             {"shading/lambert.h", "lambert"},
-             {"shading/phong.h", "phong"},
-             {"shading/blinn.h", "blinn"}},
-            draw};
+    return {
+        "phong-terms",
+        {{"n", "n", Slider{10, 90, 9, 20}}, {"model", "", Choice{{"r-v", "n-h", "n-h-matched"}}}},
+        {{"shading/ambient.h", "ambient"},
+         {"shading/lambert.h", "lambert"},
+         {"shading/phong.h", "phong"},
+         {"shading/blinn.h", "blinn"}},
+        draw};
 }
 
 }  // namespace scanlight::demo

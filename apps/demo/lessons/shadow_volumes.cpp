@@ -10,6 +10,7 @@
 #include "apps/scanlight/text_table.h"
 #include "raster/compare.h"
 #include "render/draw.h"
+#include "render/frame.h"
 #include "render/shadows.h"
 
 namespace scanlight::demo {
@@ -17,13 +18,20 @@ namespace scanlight::demo {
 namespace {
 
 // The eye's way into the shadow of a cube, along its view.
-constexpr glm::dvec3 outside{-1.2, 0.6, -7.0};
+constexpr glm::dvec3 outside{3.6, 0.6, -3.4};
 constexpr glm::dvec3 inside{1.4, -0.2, -3.0};
+constexpr glm::dvec3 target{1.4, -0.8, 0.5};
+
+const std::string light = " --light point:-1,3,2.5";
+
+glm::dvec3 eye_of(const Settings& settings) {
+    return outside + (inside - outside) * settings.at("eye");
+}
 
 std::string arguments(const Settings& settings, const std::string& shadows) {
-    const glm::dvec3 eye = outside + (inside - outside) * settings.at("eye");
+    const glm::dvec3 eye = eye_of(settings);
     return "cube --floor --eye " + apps::fixed(eye.x, 3) + "," + apps::fixed(eye.y, 3) + "," +
-           apps::fixed(eye.z, 3) + " --target 4,-1,1 --fov 70 --light point:-1,3,2.5 --shadows " +
+           apps::fixed(eye.z, 3) + " --target 1.4,-0.8,0.5 --fov 70" + light + " --shadows " +
            shadows;
 }
 
@@ -36,7 +44,7 @@ apps::PixelShadow shadow_at(const Stage& stage, const Pixel& pixel) {
 }
 
 std::string depth_text(raster::Depth depth) {
-    if (depth == raster::depth_beyond) return "∞";
+    if (depth >= raster::depth_clear) return "∞";
     return apps::fixed(std::max(0.0f, raster::ndc_from_depth(depth)), 5);
 }
 
@@ -65,7 +73,8 @@ Table crossings_table(const apps::PixelShadow& shadow) {
     bool behind = false;
     for (const auto& crossing : shadow.crossings) {
         if (!behind && crossing.depth >= shadow.depth) {
-            table.rows.push_back({"{{surface}}", depth_text(shadow.depth), "", std::to_string(sum)});
+            table.rows.push_back(
+                {"{{surface}}", depth_text(shadow.depth), "", std::to_string(sum)});
             behind = true;
         }
         sum += crossing.entered;
@@ -94,25 +103,44 @@ std::int32_t zfail(const apps::PixelShadow& shadow) {
     return sum;
 }
 
+/// Where a point of the world is in a picture, in pixels.
+glm::dvec2 pixel_of(const Stage& stage, const glm::dvec3& point) {
+    const auto size = stage.options().size;
+    const auto frame = render::frame_of(stage.scene(), stage.options().settings.distances, size);
+    const glm::dvec4 clip = frame.clip_from_world * glm::dvec4(point, 1.0);
+    return {0.5 * size.width * (1.0 + clip.x / clip.w),
+            0.5 * size.height * (1.0 - clip.y / clip.w)};
+}
+
+/// The scene from above, with the outlines of what is lit, and the eye.
+Panel overview(const Settings& settings, raster::Viewport size, const apps::Means& means) {
+    const Stage stage(
+        "cube --floor --view 130,40 --zoom 0.62" + light + " --shadows polygons --show details",
+        size);
+    Panel panel = stage.panel("details", means);
+    const glm::dvec2 eye = pixel_of(stage, eye_of(settings));
+    panel.marks = {{eye, eye}, {eye, pixel_of(stage, target)}};
+    return panel;
+}
+
 Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& means) {
-    const Pixel pixel{static_cast<int>(settings.at("x") * size.width), size.height * 7 / 10};
+    const Pixel pixel{static_cast<int>(settings.at("x") * size.width), size.height * 3 / 4};
     const Stage by_zfail(arguments(settings, "zfail"), size);
-    const Panel wrong = panel_of("zpass-from-zero", arguments(settings, "zpass-from-zero"), size,
-                                 means);
+    const Panel wrong =
+        panel_of("zpass-from-zero", arguments(settings, "zpass-from-zero"), size, means);
     const Panel right = by_zfail.panel("zfail", means);
     const apps::PixelShadow shadow = shadow_at(by_zfail, pixel);
     const auto differing = raster::compare(wrong.picture, right.picture).different_pixels;
     Screen screen{{wrong, right,
                    panel_of("stencil", arguments(settings, "zfail --show stencil"), size, means),
-                   panel_of("details", arguments(settings, "polygons --show details"), size,
-                            means)},
+                   overview(settings, size, means)},
                   {{"count-zpass", static_cast<double>(zpass(shadow))},
                    {"count-zfail", static_cast<double>(zfail(shadow))},
                    {"wrong-pixels", static_cast<double>(differing)}},
                   {},
                   {crossings_table(shadow)}};
-    for (Panel& panel : screen.panels)
-        panel.marks = {mark_at(pixel)};
+    for (std::size_t i = 0; i < 3; ++i)
+        screen.panels[i].marks = {mark_at(pixel)};
     return screen;
 }
 

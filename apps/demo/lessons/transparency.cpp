@@ -39,8 +39,7 @@ Panel seen_from(const std::string& key, double z, double opacity, raster::Viewpo
     options.eye = glm::dvec3(0.0, 0.0, z);
     options.target = glm::dvec3(0.0);
     const std::string eye = " --eye 0,0," + apps::fixed(z, 0) + " --target 0,0,0";
-    Panel panel =
-        Stage(scene_path + eye + material_text(opacity), options, size).panel(key, means);
+    Panel panel = Stage(scene_path + eye + material_text(opacity), options, size).panel(key, means);
     panel.marks = {mark_at({size.width / 2, size.height / 2})};
     return panel;
 }
@@ -108,13 +107,13 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
     const double opacity = settings.at("opacity");
     const Blending front = blended("front-order", {0, 1, 2}, opacity, size);
     const Blending back = blended("back-order", {2, 1, 0}, opacity, size);
-    return {{seen_from("from-front", 6.0, opacity, size, means),
-             seen_from("from-back", -6.0, opacity, size, means)},
-            {{"order-difference", most_apart(front.seen, back.seen), 3},
-             {"engine-difference",
-              most_apart(front.seen, middle_of(scene_options(opacity), size)), 5}},
-            {},
-            {front.table, back.table}};
+    return {
+        {seen_from("from-front", 6.0, opacity, size, means),
+         seen_from("from-back", -6.0, opacity, size, means)},
+        {{"order-difference", most_apart(front.seen, back.seen), 3},
+         {"engine-difference", most_apart(front.seen, middle_of(scene_options(opacity), size)), 5}},
+        {},
+        {front.table, back.table}};
 }
 
 }  // namespace

@@ -220,25 +220,23 @@ function commands(screen) {
 
 function stepper(lesson, screen) {
   const holder = element("div");
-  const [panel] = screen.panels;
   const image = new Image();
   image.onload = () => {
     const said = { say: pageWord, table: (key, ...rest) => table(pageWord(key), ...rest) };
-    const source = { image, grid: { width: 24, height: 16 } };
-    const made = new Stepper(screen.steps, source, said, state.step, (step) => {
+    const made = new Stepper(screen.steps, image, said, state.step, (step) => {
       state.step = step;
       remember();
     });
     holder.replaceChildren(made.build());
   };
-  image.src = course.pictures[panel.picture];
+  image.src = course.pictures[screen.steps.picture];
   return holder;
 }
 
 // ---- the page
 
 function screenParts(lesson, screen) {
-  if (screen.steps) return [stepper(lesson, screen), numbers(lesson, { numbers: [] }), commands(screen)];
+  if (screen.steps) return [stepper(lesson, screen), commands(screen)];
   const pictures = state.view === "wipe" && screen.panels.length > 1 ? wiped(lesson, screen) : sideBySide(lesson, screen);
   return [viewButtons(screen), pictures, numbers(lesson, screen), plots(lesson, screen), ...tables(lesson, screen), commands(screen)];
 }

@@ -11,26 +11,28 @@ function svgElement(name, attributes) {
 }
 
 class Stepper {
-  // `say(key, ...values)` and `caption(key)` give texts; `moved(step)` is told of each step.
-  constructor(steps, picture, texts, start, moved) {
-    Object.assign(this, { ...steps, picture, texts, moved });
+  // `image` is what the steps led to. `texts` has say(key, ...values) and table(key, columns, rows,
+  // now); `moved(step)` is told of each step.
+  constructor({ polygon, names, walk }, image, texts, start, moved) {
+    Object.assign(this, { polygon, names, walk, image, texts, moved });
     this.step = Math.min(start, this.walk.length - 1);
     this.drawn = this.drawnPixels();
   }
 
-  // What the engine drew, as the colours of the grid's pixels.
+  // What the engine drew, pixel by pixel.
   drawnPixels() {
     const canvas = document.createElement("canvas");
-    const { width, height } = this.picture.grid;
-    canvas.width = width;
-    canvas.height = height;
-    const context = canvas.getContext("2d", { willReadFrequently: true });
-    const cell = this.picture.image.naturalWidth / width;
-    return (x, y) => {
-      context.drawImage(this.picture.image, x * cell + cell / 2 - 1, y * cell + cell / 2 - 1, 1, 1, 0, 0, 1, 1);
-      const [r, g, b] = context.getImageData(0, 0, 1, 1).data;
-      return `rgb(${r} ${g} ${b})`;
-    };
+    const { naturalWidth: width, naturalHeight: height } = this.image;
+    Object.assign(canvas, { width, height });
+    const context = canvas.getContext("2d");
+    context.drawImage(this.image, 0, 0);
+    return context.getImageData(0, 0, width, height);
+  }
+
+  colour(x, y) {
+    const at = 4 * (y * this.drawn.width + x);
+    const [r, g, b] = this.drawn.data.subarray(at, at + 3);
+    return `rgb(${r} ${g} ${b})`;
   }
 
   go(step) {
@@ -124,7 +126,7 @@ class Stepper {
   // ---- the grid
 
   grid() {
-    const { width, height } = this.picture.grid;
+    const { width, height } = this.drawn;
     const svg = svgElement("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", style: "position:static" });
     svg.setAttribute("aria-label", this.sentence());
     svg.append(svgElement("rect", { width, height, fill: "#f7f6f2" }));
@@ -138,13 +140,6 @@ class Stepper {
     this.drawPolygon(svg);
     this.drawScanline(svg);
     return svg;
-  }
-
-  colour(x, y) {
-    this.colours ??= new Map();
-    const key = x + "," + y;
-    if (!this.colours.has(key)) this.colours.set(key, this.drawn(x, y));
-    return this.colours.get(key);
   }
 
   line(x1, y1, x2, y2, stroke, strokeWidth) {
@@ -171,7 +166,7 @@ class Stepper {
     const at = this.now();
     if (at.kind === "edge") return;
     const y = at.line.y + 0.5;
-    svg.append(this.line(0, y, this.picture.grid.width, y, "#c01f45", 0.07));
+    svg.append(this.line(0, y, this.drawn.width, y, "#c01f45", 0.07));
     for (const edge of at.line.active) svg.append(svgElement("circle", { cx: edge.x, cy: y, r: 0.22, fill: "#c01f45" }));
     if (at.kind === "pixel")
       svg.append(svgElement("rect", { x: at.x, y: at.line.y, width: 1, height: 1, fill: "none", stroke: "#c01f45", "stroke-width": 0.14 }));
@@ -212,7 +207,7 @@ class Stepper {
 
   allTables() {
     const at = this.now();
-    const edges = ["y", "", "y_max", "x", "Δx", ...this.valueColumns()];
+    const edges = ["y", this.texts.say("edge"), "y_max", "x", "Δx", ...this.valueColumns()];
     const entered = this.polygon.edge_table.slice(0, at.edge + 1);
     const active = at.kind === "edge" ? [] : at.line.active;
     return [
