@@ -207,11 +207,11 @@ std::string filled(std::string_view text, const std::map<std::string, std::strin
 
 }  // namespace
 
-std::string course_page(const PageOptions& options,
+std::string course_page(const std::vector<Lesson>& lessons, const PageOptions& options,
                         const std::function<void(const std::string&)>& now) {
     Pictures pictures;
     Json all = Json::array();
-    for (const Lesson& lesson : lessons()) {
+    for (const Lesson& lesson : lessons) {
         now(lesson.name);
         all.push_back(lesson_json(lesson, options, pictures));
     }

@@ -2,7 +2,9 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
+#include "apps/demo/lesson.h"
 #include "apps/demo/texts.h"
 #include "apps/scanlight/means.h"
 #include "raster/project.h"
@@ -16,9 +18,9 @@ struct PageOptions {
     apps::Means means;
 };
 
-/// The whole course as one HTML file that needs no other, nor a network: each lesson's screens at
+/// Lessons as one HTML file that needs no other, nor a network: each lesson's screens at
 /// all stops of its controls, pictures as data. `now` is told what is being drawn.
-std::string course_page(const PageOptions& options,
+std::string course_page(const std::vector<Lesson>& lessons, const PageOptions& options,
                         const std::function<void(const std::string&)>& now);
 
 }  // namespace scanlight::demo

@@ -10,11 +10,11 @@ namespace scanlight::demo {
 namespace {
 
 constexpr double width = 420.0;
-constexpr double height = 230.0;
+constexpr double height = 236.0;
 constexpr double left = 50.0;
 constexpr double right = 12.0;
 constexpr double top = 22.0;
-constexpr double bottom = 64.0;
+constexpr double bottom = 70.0;
 
 using apps::fixed;
 
@@ -84,17 +84,19 @@ std::string curve(const Plot& plot, const Curve& curve, std::size_t number) {
         points +=
             (points.empty() ? "" : " ") + pixels(column(plot, p.x)) + "," + pixels(row(plot, p.y));
     }
-    return "<polyline class='curve c" + std::to_string(number) + "' points='" + points + "'/>";
+    return "<polyline class='curve c" + std::to_string(number) + " key-" + curve.key +
+           "' points='" + points + "'/>";
 }
 
 /// Two names a line, below the axis.
 std::string legend(const Plot& plot) {
     std::string svg;
-    const double column_width = (width - left) / 3.0;
+    const double column_width = (width - left) / 2.0;
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {
-        const double x = left - 30 + column_width * static_cast<double>(i % 3);
-        const double y = height - 18 + 14 * static_cast<double>(i / 3);
-        svg += line("curve c" + std::to_string(i), x, y - 4, x + 22, y - 4) +
+        const double x = left - 30 + column_width * static_cast<double>(i % 2);
+        const double y = height - 20 + 15 * static_cast<double>(i / 2);
+        svg += line("curve c" + std::to_string(i) + " key-" + plot.curves[i].key, x, y - 4, x + 22,
+                    y - 4) +
                text("start", x + 27, y, "{{" + plot.curves[i].key + "}}");
     }
     return svg;

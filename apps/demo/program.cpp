@@ -67,8 +67,8 @@ void export_course(const Options& options) {
                            options.means};
     make_folder(options.folder);
     apps::Progress progress(apps::Progress::When::on_terminal);
-    const std::string html =
-        course_page(page, [&](const std::string& lesson) { progress.now("drawing " + lesson); });
+    const std::string html = course_page(
+        lessons(), page, [&](const std::string& lesson) { progress.now("drawing " + lesson); });
     const std::string path = (std::filesystem::path(options.folder) / "index.html").string();
     raster::save_file(path, html);
     std::fprintf(stderr, "%s: %zu lessons, %.1f MB\n", path.c_str(), lessons().size(),

@@ -115,8 +115,8 @@ async function useLesson(tab, lesson) {
   expect(await tab.$eval("#lesson pre", (pre) => pre.textContent.startsWith("scanlight ")), `${lesson}: has its command`);
   await useControls(tab, lesson);
   await useWipe(tab, lesson);
-  await tab.click("details summary");
-  expect(await tab.$eval("details", (details) => details.open), `${lesson}: the answer opens`);
+  await tab.click(".answer summary");
+  expect(await tab.$eval(".answer", (details) => details.open), `${lesson}: the answer opens`);
   await tab.screenshot({ path: `${screenshots}/${lesson}.png`, fullPage: true });
 }
 

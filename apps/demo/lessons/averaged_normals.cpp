@@ -87,7 +87,7 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
 Lesson averaged_normals_lesson() {
     return {"averaged-normals",
             {{"crease", "", Slider{0, 180, 7, 60}}, {"weighting", "", Choice{weightings}}},
-            {{"mesh/normals.h", "corner_normals"}, {"mesh/newell.h", "newell"}},
+            {{"mesh/normals.h", "corner_normals"}, {"mesh/newell.h", "area_vector"}},
             draw};
 }
 

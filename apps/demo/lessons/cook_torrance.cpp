@@ -55,17 +55,16 @@ Curve curve(const std::string& key, double low_deg, double high_deg, Value&& val
 }
 
 Plot facets_plot(double m) {
-    const auto density = [m](const std::string& key, FacetDistribution distribution) {
+    double most = 0.0;
+    const auto density = [&](const std::string& key, FacetDistribution distribution) {
         const FacetSlopes slopes(distribution, m);
+        most = std::max(most, shading::facet_density(1.0, slopes));
         return curve(key, 0, 90, [&](double c) { return shading::facet_density(c, slopes); });
     };
-    const double most = shading::facet_density(1.0, FacetSlopes(FacetDistribution::beckmann, m));
-    return {
-        "d-plot",
-        {"alpha-axis", 0, 90},
-        {"d-axis", 0, 1.1 * most},
-        {density("beckmann", FacetDistribution::beckmann),
-         density("gauss", FacetDistribution::gauss), density("cosine", FacetDistribution::cosine)}};
+    const std::vector<Curve> curves{density("beckmann", FacetDistribution::beckmann),
+                                    density("gauss", FacetDistribution::gauss),
+                                    density("cosine", FacetDistribution::cosine)};
+    return {"d-plot", {"alpha-axis", 0, 90}, {"d-axis", 0, 1.1 * most}, curves};
 }
 
 /// Where light and eye are at one angle, on either side of N, and 30° before the eye's.

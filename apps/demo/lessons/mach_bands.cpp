@@ -38,9 +38,9 @@ std::vector<double> changes(const std::vector<double>& light) {
     return result;
 }
 
-/// The ends, where the background begins, are left out.
+/// The outer sixths are left out: towards the outline all faces crowd together.
 Stretch inner(const Stretch& stretch) {
-    constexpr int margin = 3;
+    const int margin = 1 + (stretch.end - stretch.begin) / 6;
     if (stretch.end - stretch.begin <= 2 * margin) return {};
     return {stretch.begin + margin, stretch.end - margin};
 }
@@ -98,7 +98,7 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
     }
     screen.plots = {
         plot_of("light-plot", {"light-axis", 0, 1}, size.width, profiles, &Profile::light),
-        plot_of("change-plot", {"change-axis", -0.05, 0.05}, size.width, profiles,
+        plot_of("change-plot", {"change-axis", -0.02, 0.02}, size.width, profiles,
                 &Profile::change),
         plot_of("seen-plot", {"seen-axis", 0, 1.1}, size.width, profiles, &Profile::seen)};
     return screen;

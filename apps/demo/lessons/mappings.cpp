@@ -75,7 +75,7 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
 Lesson mappings_lesson() {
     return {"mappings",
             {{"mapping", "", Choice{mappings}}, {"surface", "", Choice{surfaces}}},
-            {{"shading/mapping.h", "place_on"},
+            {{"shading/texture.h", "place_on"},
              {"shading/pattern.h", "wood"},
              {"shading/bump.h", "bumped_normal"},
              {"shading/environment.h", "light_from"}},

@@ -95,9 +95,9 @@ function picture(lesson, panel) {
 
 function sideBySide(lesson, screen) {
   const count = screen.panels.length;
-  const box = element("div", { className: "panels" + (count === 1 ? " one" : count === 2 ? " two" : "") });
+  const box = element("div", { className: "panels" + (count === 1 ? " one" : count % 2 === 0 ? " even" : "") });
   for (const panel of screen.panels)
-    box.append(element("figure", {}, picture(lesson, panel), element("figcaption", {}, word(lesson.name, panel.key))));
+    box.append(element("figure", {}, picture(lesson, panel), element("figcaption", {}, word(lesson.name, panel.key), command(panel))));
   return box;
 }
 
@@ -112,7 +112,7 @@ function wiped(lesson, screen) {
     place();
   });
   const stack = element("div", { className: "wiped" }, picture(lesson, right), over);
-  return element("div", {}, stack, range, element("div", { className: "tools" }, wipeChoice(lesson, screen, 0), wipeChoice(lesson, screen, 1)));
+  return element("div", {}, stack, range, element("div", { className: "tools" }, wipeChoice(lesson, screen, 0), wipeChoice(lesson, screen, 1)), command(left), command(right));
 }
 
 function wipeChoice(lesson, screen, side) {
@@ -211,9 +211,8 @@ function tables(lesson, screen) {
   });
 }
 
-function commands(screen) {
-  const texts = [...new Set(screen.panels.map((panel) => panel.command))];
-  return element("section", {}, element("h3", {}, pageWord("command-head")), ...texts.map((text) => element("pre", {}, text)));
+function command(panel) {
+  return element("details", {}, element("summary", {}, pageWord("command-head")), element("pre", {}, panel.command));
 }
 
 // ---- the stepped lesson
@@ -236,9 +235,9 @@ function stepper(lesson, screen) {
 // ---- the page
 
 function screenParts(lesson, screen) {
-  if (screen.steps) return [stepper(lesson, screen), commands(screen)];
+  if (screen.steps) return [stepper(lesson, screen), command(screen.panels[0])];
   const pictures = state.view === "wipe" && screen.panels.length > 1 ? wiped(lesson, screen) : sideBySide(lesson, screen);
-  return [viewButtons(screen), pictures, numbers(lesson, screen), plots(lesson, screen), ...tables(lesson, screen), commands(screen)];
+  return [viewButtons(screen), pictures, numbers(lesson, screen), plots(lesson, screen), ...tables(lesson, screen)];
 }
 
 function drawScreen(focused) {
@@ -260,7 +259,7 @@ function formula(lesson) {
 }
 
 function question(lesson) {
-  const answer = element("details", {}, element("summary", {}, pageWord("show-answer")), element("p", {}, word(lesson.name, "answer")));
+  const answer = element("details", { className: "answer" }, element("summary", {}, pageWord("show-answer")), element("p", {}, word(lesson.name, "answer")));
   return element("section", {}, element("h3", {}, pageWord("question-head")), element("p", {}, word(lesson.name, "question")), answer);
 }
 

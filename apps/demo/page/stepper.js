@@ -62,7 +62,11 @@ class Stepper {
     this.tables = document.createElement("div");
     const hint = document.createElement("p");
     hint.textContent = this.texts.say("steps-keys");
-    root.append(this.stage, this.buttons(), this.slider(), this.says, hint, this.tables);
+    const left = document.createElement("div");
+    left.append(this.stage, this.slider(), this.buttons(), hint);
+    const right = document.createElement("div");
+    right.append(this.says, this.tables);
+    root.append(left, right);
     this.render();
     return root;
   }
@@ -71,18 +75,18 @@ class Stepper {
     const row = document.createElement("div");
     row.className = "tools";
     const actions = [
-      ["first-step", "⏮", () => this.go(0)],
-      ["back-scanline", "⏪", () => this.goScanline(-1)],
+      ["first-step", "|◀", () => this.go(0)],
+      ["back-scanline", "◀◀", () => this.goScanline(-1)],
       ["back-step", "◀", () => this.go(this.step - 1)],
       ["next-step", "▶", () => this.go(this.step + 1)],
-      ["next-scanline", "⏩", () => this.goScanline(1)],
-      ["last-step", "⏭", () => this.go(this.walk.length - 1)],
+      ["next-scanline", "▶▶", () => this.goScanline(1)],
+      ["last-step", "▶|", () => this.go(this.walk.length - 1)],
     ];
     for (const [key, sign, act] of actions) {
       const button = document.createElement("button");
       button.type = "button";
       button.dataset.step = key;
-      button.textContent = sign + "\ufe0e " + this.texts.say(key);
+      button.textContent = sign + "\ufe0e  " + this.texts.say(key);
       button.addEventListener("click", act);
       row.append(button);
     }
@@ -156,7 +160,7 @@ class Stepper {
       svg.append(this.line(a.x, a.y, b.x, b.y, isActive ? "#b8480a" : "#26407a", isActive ? 0.2 : 0.09));
     });
     corners.forEach((a, i) => {
-      const name = svgElement("text", { x: a.x + 0.25, y: a.y - 0.2, "font-size": 0.8, fill: "#26407a" });
+      const name = svgElement("text", { x: a.x + 0.25, y: Math.max(0.8, a.y - 0.2), class: "corner" });
       name.textContent = "P" + i;
       svg.append(name);
     });
