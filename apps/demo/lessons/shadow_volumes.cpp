@@ -12,6 +12,7 @@
 #include "render/draw.h"
 #include "render/frame.h"
 #include "render/shadows.h"
+#include "render/volume_lines.h"
 
 namespace scanlight::demo {
 
@@ -20,7 +21,6 @@ namespace {
 // The eye's way into the shadow of a cube, along its view.
 constexpr glm::dvec3 outside{3.6, 0.6, -3.4};
 constexpr glm::dvec3 inside{1.4, -0.2, -3.0};
-constexpr glm::dvec3 target{1.4, -0.8, 0.5};
 
 const std::string light = " --light point:-1,3,2.5";
 
@@ -112,14 +112,19 @@ glm::dvec2 pixel_of(const Stage& stage, const glm::dvec3& point) {
             0.5 * size.height * (1.0 - clip.y / clip.w)};
 }
 
-/// The scene from above, with the outlines of what is lit, and the eye.
+/// The scene from above, with the outlines of what is lit; over it the ghost of the cube's volume,
+/// and the eye.
 Panel overview(const Settings& settings, raster::Viewport size, const apps::Means& means) {
-    const Stage stage(
-        "cube --floor --view 130,40 --zoom 0.62" + light + " --shadows polygons --show details",
-        size);
+    const Stage stage("cube --floor --eye 9,6.5,-7 --target 1,-0.6,-1.2 --fov 42" + light +
+                          " --shadows polygons --show details",
+                      size);
     Panel panel = stage.panel("details", means);
+    const auto ghost =
+        render::volume_lines(stage.scene(), stage.options().settings, 0, 0, stage.options().size);
+    for (const render::PictureLine& line : ghost)
+        panel.marks.push_back({line.from, line.to});
     const glm::dvec2 eye = pixel_of(stage, eye_of(settings));
-    panel.marks = {{eye, eye}, {eye, pixel_of(stage, target)}};
+    panel.marks.push_back({eye, eye});
     return panel;
 }
 
@@ -152,6 +157,7 @@ Lesson shadow_volumes_lesson() {
             {{"render/shadow_volume.h", "ShadowVolume"},
              {"mesh/silhouette.h", "SilhouetteFinder::from"},
              {"render/shadows.h", "count_shadows"},
+             {"render/volume_lines.h", "volume_lines"},
              {"render/shadow_polygons.h", "detail_polygons"}},
             draw};
 }
