@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace scanlight::demo {
 
@@ -46,6 +47,15 @@ std::vector<glm::dvec2> points_of(const std::vector<double>& values, const Stret
     std::vector<glm::dvec2> points;
     for (int x = stretch.begin; x < stretch.end; ++x)
         points.emplace_back(x + 0.5, values[static_cast<std::size_t>(x)]);
+    return points;
+}
+
+std::vector<glm::dvec2> surface_points(const raster::Framebuffer& picture, int y) {
+    auto points = points_of(intensities(picture.color, y), surface_of_row(picture.depth, y));
+    for (glm::dvec2& point : points) {
+        if (picture.depth.at(static_cast<int>(point.x), y) >= raster::depth_clear)
+            point.y = std::numeric_limits<double>::quiet_NaN();
+    }
     return points;
 }
 

@@ -36,6 +36,10 @@ Pixel brightest(const raster::Framebuffer& picture);
 /// The values of a stretch at their pixels' centres, as points of a curve.
 std::vector<glm::dvec2> points_of(const std::vector<double>& values, const Stretch& stretch);
 
+/// The intensities of a row at their pixels' centres; NaN, where a curve breaks off, for pixels
+/// that show no surface.
+std::vector<glm::dvec2> surface_points(const raster::Framebuffer& picture, int y);
+
 /// A mark at a pixel's centre; one along a row of a picture.
 Mark mark_at(const Pixel& pixel);
 Mark mark_along(int y, int width);

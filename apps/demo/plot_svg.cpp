@@ -77,15 +77,19 @@ std::string grid(const Plot& plot) {
            });
 }
 
+/// In pieces, where it breaks off.
 std::string curve(const Plot& plot, const Curve& curve, std::size_t number) {
-    std::string points;
+    std::string path;
+    bool is_broken = true;
     for (const glm::dvec2& p : curve.points) {
-        if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
-        points +=
-            (points.empty() ? "" : " ") + pixels(column(plot, p.x)) + "," + pixels(row(plot, p.y));
+        const bool is_gap = !std::isfinite(p.x) || !std::isfinite(p.y);
+        if (!is_gap)
+            path +=
+                (is_broken ? "M" : " ") + pixels(column(plot, p.x)) + "," + pixels(row(plot, p.y));
+        is_broken = is_gap;
     }
-    return "<polyline class='curve c" + std::to_string(number) + " key-" + curve.key +
-           "' points='" + points + "'/>";
+    return "<path class='curve c" + std::to_string(number) + " key-" + curve.key + "' d='" + path +
+           "'/>";
 }
 
 /// Two names a line, below the axis.

@@ -41,7 +41,7 @@ struct Axis {
 
 struct Curve {
     std::string key;
-    std::vector<glm::dvec2> points;
+    std::vector<glm::dvec2> points;  // at one that is not finite the curve breaks off
 };
 
 struct Plot {

@@ -14,7 +14,7 @@ namespace {
 
 /// One whose centre is a pixel's centre.
 constexpr raster::Viewport small{33, 33};
-constexpr double most_deg = 90.0;
+constexpr double most_deg = 180.0;
 
 /// From above, a hair off the vertical, so that the camera turns with the eye.
 std::string eye_text(double angle_deg) {
@@ -38,7 +38,7 @@ double centre_light(const std::string& interpolation, double angle_deg) {
 
 Curve centre_curve(const std::string& interpolation) {
     Curve curve{interpolation, {}};
-    for (double angle = 0.0; angle <= most_deg; angle += 3.0)
+    for (double angle = 0.0; angle <= most_deg; angle += 5.0)
         curve.points.emplace_back(angle, centre_light(interpolation, angle));
     return curve;
 }
@@ -80,7 +80,7 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
 
 Lesson orientation_lesson() {
     return {"orientation",
-            {{"angle", "φ", Slider{0, most_deg, 19, 15}}},
+            {{"angle", "φ", Slider{0, most_deg, 25, 15}}},
             {{"raster/bilinear.h", "Bilinear::along"},
              {"raster/plane.h", "Planar::of"},
              {"mesh/triangulate.h", "triangulated"}},

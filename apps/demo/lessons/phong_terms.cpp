@@ -50,8 +50,7 @@ struct Terms {
 };
 
 Curve curve_of(const std::string& key, const Stage& stage, int y) {
-    const raster::Framebuffer picture = stage.framebuffer();
-    return {key, points_of(intensities(picture.color, y), surface_of_row(picture.depth, y))};
+    return {key, surface_points(stage.framebuffer(), y)};
 }
 
 std::vector<Number> numbers_at(const PickedPoint& point, const Highlight& highlight) {

@@ -267,7 +267,7 @@ function turn() {
   const row = element("div", { className: "turn" });
   const add = (offset, key, sign) => {
     const lesson = course.lessons[state.lesson + offset];
-    row.append(lesson ? element("a", { href: "#" + lesson.name }, `${sign(pageWord(key))}: ${word(lesson.name, "title")}`) : element("span"));
+    row.append(lesson ? element("a", { href: "#" + lesson.name }, sign(`${pageWord(key)}: ${word(lesson.name, "title")}`)) : element("span"));
   };
   add(-1, "previous", (text) => "← " + text);
   add(1, "next", (text) => text + " →");
