@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "apps/scanlight/text_table.h"
-#include "apps/scene/json.h"
 #include "apps/scene/words.h"
 
 namespace scanlight::apps {
@@ -169,22 +168,6 @@ Json corner_json(const PolygonSteps& steps, const PolygonSteps::Corner& corner) 
     return {{"x", corner.x}, {"y", corner.y}, {"z", number(corner.z)}, {"values", values}};
 }
 
-Json polygon_json(const PolygonSteps& steps) {
-    Json corners = Json::array();
-    for (const auto& corner : steps.corners)
-        corners.push_back(corner_json(steps, corner));
-    Json edges = Json::array();
-    for (const auto& edge : steps.trace.edge_table)
-        edges.push_back(edge_json(steps, edge));
-    Json scanlines = Json::array();
-    for (const auto& line : steps.trace.scanlines)
-        scanlines.push_back(scanline_json(steps, line));
-    return {{"polygon", steps.id},
-            {"corners", corners},
-            {"edge_table", edges},
-            {"scanlines", scanlines}};
-}
-
 Json point_json(const glm::dvec3& p) {
     return {p.x, p.y, p.z};
 }
@@ -262,6 +245,22 @@ std::string steps_text(const PolygonSteps& steps, const std::string& title) {
                 active_text(steps, line) + spans_text(steps, line);
     }
     return text;
+}
+
+Json polygon_json(const PolygonSteps& steps) {
+    Json corners = Json::array();
+    for (const auto& corner : steps.corners)
+        corners.push_back(corner_json(steps, corner));
+    Json edges = Json::array();
+    for (const auto& edge : steps.trace.edge_table)
+        edges.push_back(edge_json(steps, edge));
+    Json scanlines = Json::array();
+    for (const auto& line : steps.trace.scanlines)
+        scanlines.push_back(scanline_json(steps, line));
+    return {{"polygon", steps.id},
+            {"corners", corners},
+            {"edge_table", edges},
+            {"scanlines", scanlines}};
 }
 
 std::string steps_json(const StepsSource& source, const std::vector<PolygonSteps>& polygons) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/scanlight/scene_options.h"
+#include "apps/scene/json.h"
 #include "render/camera.h"
 #include "render/steps.h"
 
@@ -24,6 +25,9 @@ struct StepsSource {
 /// The same numbers for programs: a header that says what is shown, and an array of polygons.
 std::string steps_json(const StepsSource& source,
                        const std::vector<render::PolygonSteps>& polygons);
+
+/// Those of one polygon.
+Json polygon_json(const render::PolygonSteps& steps);
 
 /// A colour whose channels never differ is one intensity: I for I_r, I_g, I_b.
 render::PolygonSteps with_grey_as_one(render::PolygonSteps steps);

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "apps/demo/screen.h"
+#include "apps/scanlight/means.h"
+#include "raster/project.h"
+
+namespace scanlight::demo {
+
+/// A number from `low` to `high`. `stops` of them, evenly spaced, are what a page shows, and what
+/// frames are counted by; `start` is one of these.
+struct Slider {
+    double low = 0.0;
+    double high = 1.0;
+    int stops = 2;
+    double start = 0.0;
+    int digits = 0;  // after the point
+};
+
+/// One of some words; its value is the word's place among them, from 0.
+struct Choice {
+    std::vector<std::string> words;
+    std::size_t start = 0;
+};
+
+/// How a page moves a control: by pictures drawn beforehand, one for each stop; or through the
+/// recorded steps of a `Screen`.
+enum class Moved { by_pictures, by_steps };
+
+struct Control {
+    std::string name;    // on the command line
+    std::string symbol;  // as the literature writes it; may be empty
+    std::variant<Slider, Choice> kind;
+    Moved moved = Moved::by_pictures;
+};
+
+/// Where a lesson's controls stand, by their names.
+using Settings = std::map<std::string, double>;
+
+/// Where a lesson's matter lies in the source.
+struct SourcePlace {
+    std::string file;
+    std::string function;
+};
+
+/// One screen of the course: a picture, its controls, and the numbers beside it. Its words are in
+/// texts.toml, under its name. The window, the command line and the page all use the one `draw`.
+struct Lesson {
+    std::string name;
+    std::vector<Control> controls;  // the first is the one that matters
+    std::vector<SourcePlace> places;
+    /// Each panel of `size`. `settings` has a value for each control.
+    Screen (*draw)(const Settings& settings, raster::Viewport size, const apps::Means& means);
+};
+
+/// In the order of the course.
+const std::vector<Lesson>& lessons();
+
+/// Throws UsageError, which names them all, for a name that none has.
+const Lesson& lesson_named(const std::string& name);
+
+}  // namespace scanlight::demo

@@ -1,0 +1,85 @@
+#include <string>
+#include <vector>
+
+#include "apps/demo/lessons.h"
+#include "apps/demo/measure.h"
+#include "apps/demo/stage.h"
+#include "raster/compare.h"
+
+namespace scanlight::demo {
+
+namespace {
+
+const std::vector<std::string> surfaces{"checker", "wood", "bump", "environment"};
+const std::vector<std::string> mappings{"planar", "cylindrical", "spherical"};
+
+struct Body {
+    std::string key;
+    std::string shape;
+};
+const std::vector<Body> bodies{
+    {"cube", "cube"}, {"cylinder", "cylinder:48"}, {"sphere", "sphere:48,24"}};
+
+std::string plain_arguments(const Body& body) {
+    return body.shape + " --view 30,25";
+}
+
+std::string look_of(const std::string& surface, const std::string& mapping) {
+    if (surface == "checker")
+        return " --texture \"diffuse=checker low=0.05 count=8 offset=0.02,0.02 mapping=" + mapping +
+               "\"";
+    if (surface == "wood") return " --texture \"diffuse=wood axis=y low=#40200c high=#c08040\"";
+    if (surface == "bump")
+        return " --texture \"bump=waves count=8 height=0.03 mapping=" + mapping + "\"";
+    return " --environment room --material \"kd=0.05 mirror=0.8\"";
+}
+
+int covered_pixels(const raster::Plane<raster::Depth>& depth) {
+    int count = 0;
+    for (const raster::Depth value : depth.values())
+        count += value < raster::depth_clear ? 1 : 0;
+    return count;
+}
+
+/// What the texture changes on the sphere: many pixels, and none of the outline.
+std::vector<Number> numbers_of(const Stage& plain, const Stage& dressed) {
+    const auto before = plain.framebuffer();
+    const auto after = dressed.framebuffer();
+    int changed = 0;
+    for (int y = 0; y < before.color.height(); ++y) {
+        for (int x = 0; x < before.color.width(); ++x)
+            changed += before.depth.at(x, y) < raster::depth_clear &&
+                               before.color.at(x, y) != after.color.at(x, y)
+                           ? 1
+                           : 0;
+    }
+    return {{"covered-plain", static_cast<double>(covered_pixels(before.depth)), 0, "px"},
+            {"covered-textured", static_cast<double>(covered_pixels(after.depth)), 0, "px"},
+            {"changed", static_cast<double>(changed), 0, "px"}};
+}
+
+Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& means) {
+    const std::string look = look_of(surfaces[static_cast<std::size_t>(settings.at("surface"))],
+                                     mappings[static_cast<std::size_t>(settings.at("mapping"))]);
+    Screen screen;
+    for (const Body& body : bodies)
+        screen.panels.push_back(panel_of(body.key, plain_arguments(body) + look, size, means));
+    const Body& sphere = bodies.back();
+    screen.numbers = numbers_of(Stage(plain_arguments(sphere), size),
+                                Stage(plain_arguments(sphere) + look, size));
+    return screen;
+}
+
+}  // namespace
+
+Lesson mappings_lesson() {
+    return {"mappings",
+            {{"mapping", "", Choice{mappings}}, {"surface", "", Choice{surfaces}}},
+            {{"shading/texture.h", "place_on"},
+             {"shading/pattern.h", "wood"},
+             {"shading/bump.h", "bumped_normal"},
+             {"shading/environment.h", "light_from"}},
+            draw};
+}
+
+}  // namespace scanlight::demo

@@ -1,0 +1,320 @@
+"use strict";
+// The course: one lesson at a time, drawn from the data that the renderer wrote into this file.
+
+const course = JSON.parse(document.getElementById("data").textContent);
+const state = { language: document.documentElement.lang, lesson: 0, at: {}, view: "side-by-side", wipe: [0, 1, 50], step: 60 };
+
+function element(name, properties = {}, ...children) {
+  const made = document.createElement(name);
+  for (const [key, value] of Object.entries(properties)) {
+    if (key.startsWith("aria-") || key === "for" || key === "role") made.setAttribute(key, value);
+    else if (key === "data") Object.assign(made.dataset, value);
+    else made[key] = value;
+  }
+  made.append(...children);
+  return made;
+}
+
+// ---- words
+
+function word(lesson, key) {
+  for (const name of [lesson, "common"]) {
+    const text = course.texts[name]?.[state.language]?.[key];
+    if (text !== undefined) return text;
+  }
+  console.error(`no text '${key}' of ${lesson}`);
+  return key;
+}
+
+function filled(lesson, text) {
+  return text.replace(/\{\{([^}]*)\}\}/g, (all, key) => word(lesson, key));
+}
+
+function pageWord(key, ...values) {
+  return course.texts.page[state.language][key].replace(/\{(\d)\}/g, (all, i) => values[i]);
+}
+
+// ---- where things stand
+
+function lessonNow() {
+  return course.lessons[state.lesson];
+}
+
+function positions(lesson) {
+  state.at[lesson.name] ??= lesson.controls.map((control) => control.start);
+  return state.at[lesson.name];
+}
+
+// The last control changes fastest.
+function screenOf(lesson) {
+  let index = 0;
+  lesson.controls.forEach((control, i) => (index = index * control.stops.length + positions(lesson)[i]));
+  return lesson.screens[index];
+}
+
+// A link to what is seen now.
+function remember() {
+  const lesson = lessonNow();
+  const parts = [lesson.name];
+  lesson.controls.forEach((control, i) => parts.push(`${control.name}=${control.stops[positions(lesson)[i]]}`));
+  if (screenOf(lesson).steps) parts.push(`step=${state.step}`);
+  parts.push(`language=${state.language}`);
+  history.replaceState(null, "", "#" + parts.join("&"));
+}
+
+function recall() {
+  const [name, ...rest] = decodeURIComponent(location.hash.slice(1)).split("&");
+  const found = course.lessons.findIndex((lesson) => lesson.name === name);
+  if (found < 0) return;
+  state.lesson = found;
+  const lesson = lessonNow();
+  for (const part of rest) {
+    const [key, value] = part.split("=");
+    if (key === "language" && ["en", "zh"].includes(value)) state.language = value;
+    if (key === "step" && Number.isInteger(Number(value))) state.step = Number(value);
+    const i = lesson.controls.findIndex((control) => control.name === key);
+    if (i >= 0 && lesson.controls[i].stops.includes(value)) positions(lesson)[i] = lesson.controls[i].stops.indexOf(value);
+  }
+}
+
+// ---- pictures
+
+function marks(panel) {
+  const svg = svgElement("svg", { viewBox: `0 0 ${panel.width} ${panel.height}`, "aria-hidden": "true" });
+  for (const [[x1, y1], [x2, y2]] of panel.marks) {
+    const isPoint = x1 === x2 && y1 === y2;
+    svg.append(isPoint ? svgElement("circle", { class: "mark", cx: x1, cy: y1, r: 5 }) : svgElement("line", { class: "mark", x1, y1, x2, y2 }));
+  }
+  return svg;
+}
+
+function picture(lesson, panel) {
+  const image = element("img", { src: course.pictures[panel.picture], alt: word(lesson.name, panel.key), width: panel.width, height: panel.height });
+  return element("div", { className: "picture" }, image, marks(panel));
+}
+
+function sideBySide(lesson, screen) {
+  const count = screen.panels.length;
+  const box = element("div", { className: "panels" + (count === 1 ? " one" : count % 2 === 0 ? " even" : "") });
+  for (const panel of screen.panels)
+    box.append(element("figure", {}, picture(lesson, panel), element("figcaption", {}, word(lesson.name, panel.key), command(panel))));
+  return box;
+}
+
+function wiped(lesson, screen) {
+  const [left, right] = state.wipe.map((i) => screen.panels[Math.min(i, screen.panels.length - 1)]);
+  const over = element("div", { className: "over" }, picture(lesson, left));
+  const place = () => (over.style.clipPath = `inset(0 ${100 - state.wipe[2]}% 0 0)`);
+  place();
+  const range = element("input", { type: "range", min: 0, max: 100, value: state.wipe[2], id: "wipe", "aria-label": pageWord("wipe-slider") });
+  range.addEventListener("input", () => {
+    state.wipe[2] = Number(range.value);
+    place();
+  });
+  const stack = element("div", { className: "wiped" }, picture(lesson, right), over);
+  return element("div", {}, stack, range, element("div", { className: "tools" }, wipeChoice(lesson, screen, 0), wipeChoice(lesson, screen, 1)), command(left), command(right));
+}
+
+function wipeChoice(lesson, screen, side) {
+  const select = element("select", { id: "wipe-" + side, "aria-label": pageWord(side === 0 ? "wipe-left" : "wipe-right") });
+  screen.panels.forEach((panel, i) => select.append(element("option", { value: i, selected: state.wipe[side] === i }, word(lesson.name, panel.key))));
+  select.addEventListener("change", () => {
+    state.wipe[side] = Number(select.value);
+    drawScreen("wipe-" + side);
+  });
+  return element("label", {}, pageWord(side === 0 ? "wipe-left" : "wipe-right") + " ", select);
+}
+
+function viewButtons(screen) {
+  if (screen.panels.length < 2) return "";
+  const row = element("div", { className: "tools", role: "group" });
+  for (const view of ["side-by-side", "wipe"]) {
+    const button = element("button", { type: "button", "aria-pressed": String(state.view === view), data: { view } }, pageWord(view));
+    button.addEventListener("click", () => {
+      state.view = view;
+      drawScreen();
+      document.querySelector(`[data-view="${view}"]`).focus();
+    });
+    row.append(button);
+  }
+  return row;
+}
+
+// ---- controls
+
+function control(lesson, i) {
+  const { name, symbol, is_choice: isChoice, stops } = lesson.controls[i];
+  const id = "control-" + name;
+  const label = (symbol ? symbol + "  " : "") + word(lesson.name, id);
+  const move = (value) => {
+    positions(lesson)[i] = Number(value);
+    drawScreen();
+  };
+  if (isChoice) {
+    const select = element("select", { id });
+    stops.forEach((stop, k) => select.append(element("option", { value: k, selected: positions(lesson)[i] === k }, word(lesson.name, "word-" + stop))));
+    select.addEventListener("change", () => move(select.value));
+    return element("div", {}, element("label", { for: id }, label), select);
+  }
+  const shown = element("output", { for: id }, stops[positions(lesson)[i]]);
+  const range = element("input", { type: "range", id, min: 0, max: stops.length - 1, step: 1, value: positions(lesson)[i], "aria-valuetext": stops[positions(lesson)[i]] });
+  range.addEventListener("input", () => {
+    shown.textContent = stops[range.value];
+    range.setAttribute("aria-valuetext", stops[range.value]);
+    move(range.value);
+  });
+  return element("div", {}, element("label", { for: id }, label, shown), range);
+}
+
+function controls(lesson) {
+  const box = element("div", { className: "controls" });
+  lesson.controls.forEach((unused, i) => box.append(control(lesson, i)));
+  return lesson.controls.length ? box : "";
+}
+
+// ---- numbers, plots, tables
+
+function numbers(lesson, screen) {
+  if (!screen.numbers.length) return "";
+  const body = element("tbody");
+  for (const { key, value, unit } of screen.numbers) {
+    const cells = [element("th", { scope: "row" }, word(lesson.name, key)), element("td", {}, value + (unit ? " " + unit : ""))];
+    body.append(element("tr", {}, ...cells));
+  }
+  return element("section", {}, element("h3", {}, pageWord("numbers-head")), element("table", { className: "numbers" }, body));
+}
+
+function plots(lesson, screen) {
+  const box = element("div", { className: "plots" });
+  for (const { key, svg } of screen.plots) {
+    const figure = element("figure", {}, element("figcaption", {}, word(lesson.name, key)));
+    figure.insertAdjacentHTML("beforeend", filled(lesson.name, svg));
+    box.append(figure);
+  }
+  return screen.plots.length ? box : "";
+}
+
+function table(caption, columns, rows, now) {
+  const head = element("tr", {}, ...columns.map((column) => element("th", { scope: "col" }, column)));
+  const body = element("tbody");
+  rows.forEach((row, i) => body.append(element("tr", { className: i === now ? "now" : "" }, ...row.map((cell) => element("td", {}, String(cell))))));
+  if (!rows.length) body.append(element("tr", {}, element("td", { colSpan: columns.length }, pageWord("no-rows"))));
+  const made = element("table", { className: "rows" }, element("thead", {}, head), body);
+  made.setAttribute("aria-label", caption);
+  return element("section", {}, element("h3", {}, caption), element("div", { className: "scroll", tabIndex: 0, role: "region", "aria-label": caption }, made));
+}
+
+function tables(lesson, screen) {
+  return (screen.tables ?? []).map(({ key, columns, rows }) => {
+    const words = (cells) => cells.map((cell) => filled(lesson.name, cell));
+    return table(word(lesson.name, key), words(columns), rows.map(words), -1);
+  });
+}
+
+function command(panel) {
+  return element("details", {}, element("summary", {}, pageWord("command-head")), element("pre", {}, panel.command));
+}
+
+// ---- the stepped lesson
+
+function stepper(lesson, screen) {
+  const holder = element("div");
+  const image = new Image();
+  image.onload = () => {
+    const said = { say: pageWord, table: (key, ...rest) => table(pageWord(key), ...rest) };
+    const made = new Stepper(screen.steps, image, said, state.step, (step) => {
+      state.step = step;
+      remember();
+    });
+    holder.replaceChildren(made.build());
+  };
+  image.src = course.pictures[screen.steps.picture];
+  return holder;
+}
+
+// ---- the page
+
+function screenParts(lesson, screen) {
+  if (screen.steps) return [stepper(lesson, screen), command(screen.panels[0])];
+  const pictures = state.view === "wipe" && screen.panels.length > 1 ? wiped(lesson, screen) : sideBySide(lesson, screen);
+  return [viewButtons(screen), pictures, numbers(lesson, screen), plots(lesson, screen), ...tables(lesson, screen)];
+}
+
+function drawScreen(focused) {
+  const lesson = lessonNow();
+  document.getElementById("screen").replaceChildren(...screenParts(lesson, screenOf(lesson)));
+  if (focused) document.getElementById(focused).focus();
+  remember();
+}
+
+function sources(lesson) {
+  const items = lesson.places.map(({ file, function: name }) => element("li", {}, element("code", {}, `${file}: ${name}`)));
+  return element("section", {}, element("h3", {}, pageWord("source-head")), element("ul", {}, ...items));
+}
+
+function formula(lesson) {
+  const box = element("div", { className: "formula", tabIndex: 0, role: "group", "aria-label": pageWord("formula-head") });
+  box.innerHTML = lesson.formula;
+  return element("section", {}, element("h3", {}, pageWord("formula-head")), box);
+}
+
+function question(lesson) {
+  const answer = element("details", { className: "answer" }, element("summary", {}, pageWord("show-answer")), element("p", {}, word(lesson.name, "answer")));
+  return element("section", {}, element("h3", {}, pageWord("question-head")), element("p", {}, word(lesson.name, "question")), answer);
+}
+
+function turn() {
+  const row = element("div", { className: "turn" });
+  const add = (offset, key, sign) => {
+    const lesson = course.lessons[state.lesson + offset];
+    row.append(lesson ? element("a", { href: "#" + lesson.name }, sign(`${pageWord(key)}: ${word(lesson.name, "title")}`)) : element("span"));
+  };
+  add(-1, "previous", (text) => "← " + text);
+  add(1, "next", (text) => text + " →");
+  return row;
+}
+
+function drawLesson() {
+  const lesson = lessonNow();
+  const main = document.getElementById("lesson");
+  const notice = element("p", { className: "notice" }, element("strong", {}, pageWord("notice-head") + ": "), word(lesson.name, "notice"));
+  main.replaceChildren(
+    element("h2", {}, word(lesson.name, "title")), element("p", {}, word(lesson.name, "intro")), controls(lesson),
+    element("div", { id: "screen" }), notice, question(lesson), formula(lesson), sources(lesson), turn());
+  drawScreen();
+}
+
+function drawFrame() {
+  document.documentElement.lang = state.language === "zh" ? "zh-Hans" : "en";
+  document.title = `${word(lessonNow().name, "title")} · Scanlight`;
+  for (const [id, key] of [["course", "course"], ["subtitle", "subtitle"], ["lessons-head", "lessons"], ["language", "language"], ["skip", "skip"]])
+    document.getElementById(id).textContent = pageWord(key);
+  const items = course.lessons.map((lesson, i) => {
+    const link = element("a", { href: "#" + lesson.name }, word(lesson.name, "title"));
+    if (i === state.lesson) link.setAttribute("aria-current", "page");
+    return element("li", {}, link);
+  });
+  document.getElementById("contents").replaceChildren(...items);
+}
+
+function draw() {
+  drawFrame();
+  drawLesson();
+}
+
+document.getElementById("language").addEventListener("click", () => {
+  state.language = state.language === "en" ? "zh" : "en";
+  draw();
+});
+document.getElementById("skip").addEventListener("click", (event) => {
+  event.preventDefault();
+  document.getElementById("lesson").focus();
+});
+addEventListener("hashchange", () => {
+  state.wipe = [0, 1, 50];
+  recall();
+  draw();
+  scrollTo(0, 0);
+});
+recall();
+draw();

@@ -1,0 +1,174 @@
+#include "apps/demo/program.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "apps/demo/lesson.h"
+#include "apps/demo/page.h"
+#include "apps/demo/report.h"
+#include "apps/demo/settings.h"
+#include "apps/demo/texts.h"
+#include "apps/scanlight/means.h"
+#include "apps/scanlight/print_data.h"
+#include "apps/scanlight/progress.h"
+#include "apps/scene/parse.h"
+#include "apps/scene/usage_error.h"
+#include "raster/save_file.h"
+#include "raster/save_image.h"
+
+namespace scanlight::demo {
+
+namespace {
+
+constexpr int exit_ok = 0;
+constexpr int exit_error = 2;
+
+struct Options {
+    bool list = false;
+    std::string lesson;
+    std::vector<std::string> assignments;
+    int frame = -1;  // -1: the first control where it starts
+    std::string output;
+    std::string folder;
+    std::string language = "en";
+    std::string size = "320x240";
+    apps::Means means;
+};
+
+void save_lesson(const Options& options) {
+    const Language language = parse_language(options.language);
+    const Lesson& lesson = lesson_named(options.lesson);
+    Settings settings = starting_settings(lesson);
+    for (const std::string& assignment : options.assignments)
+        set(settings, lesson, assignment);
+    if (options.frame >= 0) set_frame(settings, lesson, options.frame);
+    const Screen screen = lesson.draw(settings, apps::parse_size(options.size), options.means);
+    if (!options.output.empty())
+        raster::save_image(options.output, picture_of(screen),
+                           options.output == "-" ? raster::ImageFormat::png
+                                                 : raster::image_format(options.output));
+    if (options.output != "-") apps::print_data(lesson_text(lesson, settings, screen, language));
+}
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw apps::UsageError(folder.string() + ": cannot be made a folder: " + error.message());
+}
+
+void export_course(const Options& options) {
+    const PageOptions page{parse_language(options.language), apps::parse_size(options.size),
+                           options.means};
+    make_folder(options.folder);
+    apps::Progress progress(apps::Progress::When::on_terminal);
+    const std::string html = course_page(
+        lessons(), page, [&](const std::string& lesson) { progress.now("drawing " + lesson); });
+    const std::string path = (std::filesystem::path(options.folder) / "index.html").string();
+    raster::save_file(path, html);
+    std::fprintf(stderr, "%s: %zu lessons, %.1f MB\n", path.c_str(), lessons().size(),
+                 static_cast<double>(html.size()) / 1e6);
+}
+
+void add_lesson_options(CLI::App& program, Options& options) {
+    CLI::Option* lesson =
+        program.add_option("--lesson", options.lesson, "draw a lesson and tell what it says")
+            ->type_name("NAME");
+    program
+        .add_option("--set", options.assignments,
+                    "where one of its controls stands, repeatable: a number, or a choice's word")
+        ->type_name("CONTROL=VALUE")
+        ->allow_extra_args(false)
+        ->needs(lesson);
+    program
+        .add_option("--frame", options.frame,
+                    "its first control at this stop, from 0; of the edge table this step")
+        ->type_name("K")
+        ->check(CLI::NonNegativeNumber)
+        ->needs(lesson);
+    program
+        .add_option(
+            "-o,--output", options.output,
+            "picture of the lesson's panels side by side; - writes a PNG to standard output")
+        ->type_name("PNG")
+        ->needs(lesson);
+}
+
+void add_options(CLI::App& program, Options& options) {
+    program.set_version_flag("--version", std::string("scanlight-demo ") + SCANLIGHT_VERSION);
+    program.get_formatter()->column_width(30);
+    program.add_flag("--list", options.list, "the lessons' names and titles");
+    add_lesson_options(program, options);
+    program
+        .add_option("--export", options.folder,
+                    "write the whole course into DIR/index.html: one page that needs no network")
+        ->type_name("DIR");
+    program
+        .add_option("--language", options.language, "en or zh; a page has both, and begins in it")
+        ->type_name("en|zh")
+        ->capture_default_str();
+    program.add_option("-s,--size", options.size, "size of each panel")
+        ->type_name("WxH")
+        ->capture_default_str();
+    apps::add_means_options(program, options.means);
+    program.footer(
+        "Examples:\n"
+        "  scanlight-demo --list\n"
+        "  scanlight-demo --lesson lost-highlight --set level=3 -o lost.png\n"
+        "  scanlight-demo --lesson edge-table --frame 120 -o step.png\n"
+        "  scanlight-demo --lesson mach-bands --language zh -o - | display\n"
+        "  scanlight-demo --export course");
+}
+
+int report(const std::string& message) {
+    std::fprintf(stderr, "scanlight-demo: %s\n", message.c_str());
+    return exit_error;
+}
+
+/// What the options ask for; without any, the help.
+void act(const CLI::App& program, const Options& options) {
+    apps::check(options.means);
+    if (!options.folder.empty()) return export_course(options);
+    if (!options.lesson.empty()) return save_lesson(options);
+    apps::print_data(options.list ? list_text(parse_language(options.language)) : program.help());
+}
+
+int parse_and_act(CLI::App& program, const Options& options, int argc, const char* const* argv) {
+    try {
+        program.parse(argc, argv);
+        act(program, options);
+    } catch (const CLI::Success& wanted) {  // --help, --version
+        return program.exit(wanted);
+    } catch (const CLI::ParseError& error) {
+        return report(std::string(error.what()) + "; see scanlight-demo --help");
+    } catch (const std::bad_alloc&) {
+        return report("out of memory");
+    } catch (const std::exception& error) {
+        return report(error.what());
+    }
+    return exit_ok;
+}
+
+/// Whether all that was printed has arrived: a full disk or a closed pipe is an error too.
+bool standard_output_took_all() {
+    return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+}
+
+}  // namespace
+
+int run(int argc, const char* const* argv) {
+    CLI::App program("The course of Scanlight: lessons drawn by the engine itself.",
+                     "scanlight-demo");
+    Options options;
+    add_options(program, options);
+    const int status = parse_and_act(program, options, argc, argv);
+    if (status == exit_error || standard_output_took_all()) return status;
+    return report("standard output: cannot be written");
+}
+
+}  // namespace scanlight::demo

@@ -1,0 +1,304 @@
+// What holds of all lessons, and the law that each of them shows.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "apps/demo/lesson.h"
+#include "apps/demo/settings.h"
+#include "apps/demo/stage.h"
+#include "apps/demo/walk.h"
+#include "apps/scene/usage_error.h"
+#include "raster/srgb.h"
+#include "tests/demo/all_screens.h"
+#include "tests/golden/golden.h"
+
+namespace scanlight::demo {
+namespace {
+
+constexpr raster::Viewport golden_panel{160, 120};
+
+class EachLesson : public testing::TestWithParam<Lesson> {};
+
+TEST_P(EachLesson, LooksAsAccepted) {
+    const Lesson& lesson = GetParam();
+    const Screen screen = lesson.draw(starting_settings(lesson), golden_panel, one_thread);
+    EXPECT_TRUE(golden::matches("lessons/" + lesson.name, picture_of(screen)));
+}
+
+TEST_P(EachLesson, LooksTheSameByTheTextbooksWalk) {
+    const Lesson& lesson = GetParam();
+    const Settings settings = starting_settings(lesson);
+    const apps::Means textbook{apps::DrawPath::textbook, {}};
+    EXPECT_TRUE(picture_of(lesson.draw(settings, small_panel, one_thread)) ==
+                picture_of(lesson.draw(settings, small_panel, textbook)));
+}
+
+TEST_P(EachLesson, DrawsAtBothEndsOfEachControl) {
+    const Lesson& lesson = GetParam();
+    for (const Settings& settings : ends_of_controls(lesson)) {
+        const Screen screen = lesson.draw(settings, small_panel, one_thread);
+        ASSERT_FALSE(screen.panels.empty());
+        for (const Panel& panel : screen.panels)
+            EXPECT_FALSE(panel.command.empty());
+        for (const Number& number : screen.numbers)
+            EXPECT_TRUE(std::isfinite(number.value)) << number.key;
+        for (const Plot& plot : screen.plots)
+            EXPECT_LT(plot.x.low, plot.x.high);
+    }
+}
+
+TEST_P(EachLesson, StartsAtAStop) {
+    for (const Control& control : GetParam().controls) {
+        const auto stops = stops_of(control);
+        const double start = starting_settings(GetParam()).at(control.name);
+        const auto is_start = [&](double stop) {
+            return value_text(control, stop) == value_text(control, start);
+        };
+        EXPECT_TRUE(std::ranges::any_of(stops, is_start)) << control.name;
+    }
+}
+
+/// Whether a control changes what is shown: a picture, a mark, a number or a curve.
+bool differ(const Screen& a, const Screen& b) {
+    if (!(picture_of(a) == picture_of(b))) return true;
+    for (std::size_t i = 0; i < a.numbers.size(); ++i) {
+        if (a.numbers[i].value != b.numbers[i].value) return true;
+    }
+    return a.walked && b.walked && a.walked->steps.names != b.walked->steps.names;
+}
+
+/// From its first stop to its last, the others standing as in `others`.
+bool changes(const Lesson& lesson, const Control& control, const Settings& others) {
+    Settings first = others;
+    Settings last = others;
+    first[control.name] = stops_of(control).front();
+    last[control.name] = stops_of(control).back();
+    return differ(lesson.draw(first, small_panel, one_thread),
+                  lesson.draw(last, small_panel, one_thread));
+}
+
+TEST_P(EachLesson, EachControlChangesWhatIsShown) {
+    const Lesson& lesson = GetParam();
+    for (const Control& control : lesson.controls) {
+        const auto all = ends_of_controls(lesson);
+        EXPECT_TRUE(std::ranges::any_of(all, [&](const Settings& others) {
+            return changes(lesson, control, others);
+        })) << control.name;
+    }
+}
+
+TEST_P(EachLesson, NamesPlacesThatAreInTheSource) {
+    for (const SourcePlace& place : GetParam().places) {
+        std::ifstream file(std::string(SCANLIGHT_TESTS_DIR "/../") + place.file);
+        const std::string text{std::istreambuf_iterator<char>(file), {}};
+        const std::string name = place.function.substr(place.function.rfind(':') + 1);
+        EXPECT_NE(text.find(name), std::string::npos) << place.file << ": " << place.function;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Lessons, EachLesson, testing::ValuesIn(lessons()), lesson_test_name);
+
+// ---- law by law
+
+double number_of(const Screen& screen, const std::string& key) {
+    const auto found = std::ranges::find(screen.numbers, key, &Number::key);
+    if (found == screen.numbers.end()) ADD_FAILURE() << "no number " << key;
+    return found == screen.numbers.end() ? 0.0 : found->value;
+}
+
+Screen drawn(const std::string& name, const std::vector<std::string>& assignments,
+             raster::Viewport size = small_panel) {
+    const Lesson& lesson = lesson_named(name);
+    Settings settings = starting_settings(lesson);
+    for (const std::string& assignment : assignments)
+        set(settings, lesson, assignment);
+    return lesson.draw(settings, size, one_thread);
+}
+
+TEST(LostHighlight, ErrorFallsWithSubdivision) {
+    const Screen screen = drawn("lost-highlight", {});
+    const auto& points = screen.plots.front().curves.front().points;
+    for (std::size_t level = 3; level < points.size(); ++level)
+        EXPECT_LT(points[level].y, 0.5 * points[level - 1].y) << level;
+}
+
+TEST(LostHighlight, CoarseGouraudIsDullerThanPhong) {
+    const Screen screen = drawn("lost-highlight", {"level=1"});
+    EXPECT_LT(number_of(screen, "peak-gouraud"), 0.5 * number_of(screen, "peak-phong"));
+}
+
+TEST(MachBands, FlatBendsMoreThanGouraudAndGouraudMoreThanPhong) {
+    const Screen screen = drawn("mach-bands", {}, {320, 240});
+    EXPECT_GT(number_of(screen, "bend-flat"), 10 * number_of(screen, "bend-gouraud"));
+    EXPECT_GT(number_of(screen, "bend-gouraud"), number_of(screen, "bend-phong"));
+    EXPECT_GT(number_of(screen, "overshoot-flat"), number_of(screen, "overshoot-gouraud"));
+}
+
+TEST(MachBands, PhongBendsLessThanGouraudWhereverTheCut) {
+    for (const char* cut : {"0.3", "0.4", "0.5", "0.6"}) {
+        const Screen screen = drawn("mach-bands", {std::string("cut=") + cut}, {320, 240});
+        EXPECT_LT(number_of(screen, "bend-phong"), 0.5 * number_of(screen, "bend-gouraud")) << cut;
+    }
+}
+
+TEST(Orientation, BilinearCentreTurnsWithTheQuadAndTriangulatedStays) {
+    const Screen screen = drawn("orientation", {});
+    EXPECT_GT(number_of(screen, "range-bilinear"), 0.1);
+    EXPECT_LT(number_of(screen, "range-triangulated"), 0.002);
+}
+
+TEST(Perspective, NoErrorWhereTheDepthIsEqual) {
+    EXPECT_LT(number_of(drawn("perspective", {"elevation=90"}), "worst-texels"), 0.01);
+    EXPECT_GT(number_of(drawn("perspective", {"elevation=30"}), "worst-texels"), 5.0);
+}
+
+TEST(AveragedNormals, ASmallCreaseAngleKeepsFaceNormals) {
+    EXPECT_LT(number_of(drawn("averaged-normals", {"crease=0"}), "lean"), 0.1);
+    EXPECT_GT(number_of(drawn("averaged-normals", {"crease=180"}), "lean"), 30.0);
+}
+
+TEST(AveragedNormals, SmoothingSharesVertices) {
+    EXPECT_GT(number_of(drawn("averaged-normals", {"crease=0"}), "vertices"),
+              number_of(drawn("averaged-normals", {"crease=180"}), "vertices"));
+}
+
+TEST(Silhouette, GapIsThatOfTheFormula) {
+    for (const char* slices : {"6", "12", "24"}) {
+        const Screen screen = drawn("silhouette", {std::string("slices=") + slices}, {320, 240});
+        EXPECT_NEAR(number_of(screen, "gap"), number_of(screen, "sagitta"), 1.0) << slices;
+    }
+}
+
+TEST(PhongTerms, AddUpToTheSum) {
+    const Screen screen = drawn("phong-terms", {});
+    const auto& curves = screen.plots.front().curves;
+    ASSERT_EQ(curves.size(), 4u);
+    for (std::size_t i = 0; i < curves[3].points.size(); ++i) {
+        if (std::isnan(curves[3].points[i].y)) continue;  // no surface
+        const double sum = curves[0].points[i].y + curves[1].points[i].y + curves[2].points[i].y;
+        EXPECT_NEAR(curves[3].points[i].y, sum, 1e-5);
+    }
+}
+
+TEST(PhongTerms, FourTimesTheExponentMatches) {
+    const auto term = [](const std::string& model) {
+        return number_of(drawn("phong-terms", {"model=" + model}, {320, 240}), "highlight-term");
+    };
+    EXPECT_GT(term("n-h"), term("r-v"));
+    EXPECT_NEAR(term("n-h-matched"), term("r-v"), 0.1);
+}
+
+TEST(CookTorrance, MetalsMirrorInTheirColour) {
+    const Screen copper = drawn("cook-torrance", {"metal=copper"});
+    EXPECT_GT(number_of(copper, "f-red"), number_of(copper, "f-blue") + 0.2);
+    const Screen silver = drawn("cook-torrance", {"metal=silver"});
+    EXPECT_NEAR(number_of(silver, "f-red"), number_of(silver, "f-blue"), 0.1);
+}
+
+TEST(CookTorrance, RougherFacetsLeanMore) {
+    const auto density = [](const std::string& m) {
+        return drawn("cook-torrance", {"m=" + m}).plots.front().curves.front().points.front().y;
+    };
+    EXPECT_GT(density("0.1"), density("0.6"));
+}
+
+TEST(ShadowVolumes, ZpassGoesWrongOnlyInsideAVolume) {
+    EXPECT_EQ(number_of(drawn("shadow-volumes", {"eye=0"}), "wrong-pixels"), 0.0);
+    EXPECT_GT(number_of(drawn("shadow-volumes", {"eye=1"}), "wrong-pixels"), 1000.0);
+}
+
+TEST(ShadowVolumes, TheListAddsUpToTheCounts) {
+    const Screen outside = drawn("shadow-volumes", {"eye=0", "x=0.6"});
+    EXPECT_EQ(number_of(outside, "count-zpass"), number_of(outside, "count-zfail"));
+    const Screen inside = drawn("shadow-volumes", {"eye=1", "x=0.3"});
+    EXPECT_NE(number_of(inside, "count-zpass"), number_of(inside, "count-zfail"));
+    EXPECT_EQ(inside.tables.front().rows.back().back(), "0");  // all that is entered is left
+}
+
+TEST(Transparency, TheEngineBlendsByTheFormula) {
+    for (const char* opacity : {"0.1", "0.5", "0.9"}) {
+        const Screen screen = drawn("transparency", {std::string("opacity=") + opacity});
+        EXPECT_LT(number_of(screen, "engine-difference"), 1e-5) << opacity;
+    }
+}
+
+TEST(Transparency, OrderMattersMoreTheMoreOpaque) {
+    const auto difference = [](const std::string& opacity) {
+        return number_of(drawn("transparency", {"opacity=" + opacity}), "order-difference");
+    };
+    EXPECT_LT(difference("0.1"), difference("0.5"));
+    EXPECT_LT(difference("0.5"), difference("0.9"));
+}
+
+TEST(Mappings, BumpsLeaveTheOutline) {
+    const Screen screen = drawn("mappings", {"surface=bump", "mapping=spherical"});
+    EXPECT_EQ(number_of(screen, "covered-plain"), number_of(screen, "covered-textured"));
+    EXPECT_GT(number_of(screen, "changed"), 100.0);
+}
+
+// ---- the walk
+
+TEST(EdgeTableWalk, StoresEachPixelOfEachSpanOnce) {
+    const Screen screen = drawn("edge-table", {"polygon=star"});
+    const auto& trace = screen.walked->steps.trace;
+    std::set<std::pair<int, int>> stored;
+    std::size_t pixels = 0;
+    for (const WalkStep& step : walk_of(trace)) {
+        if (step.kind != WalkStep::Kind::pixel) continue;
+        ++pixels;
+        stored.insert({step.x, trace.scanlines[step.line].y});
+    }
+    std::size_t covered = 0;
+    for (const auto& line : trace.scanlines) {
+        for (const auto& span : line.spans)
+            covered += static_cast<std::size_t>(span.x_end - span.x_begin);
+    }
+    EXPECT_EQ(pixels, covered);
+    EXPECT_EQ(stored.size(), covered);
+}
+
+TEST(EdgeTableWalk, IncrementsLeadToTheEngineOwnPixels) {
+    const Screen screen = drawn("edge-table", {"polygon=quad", "shading=gouraud"});
+    const auto& [steps, picture] = *screen.walked;
+    for (const WalkStep& step : walk_of(steps.trace)) {
+        if (step.kind != WalkStep::Kind::pixel) continue;
+        const auto& line = steps.trace.scanlines[step.line];
+        const double value = numbers_at(line.spans[step.span], step.x).values.at(0);
+        const int drawn_as = picture.pixel(step.x, line.y)[0];
+        EXPECT_NEAR(drawn_as, raster::srgb_from_linear(static_cast<float>(value)), 1)
+            << step.x << "," << line.y;
+    }
+}
+
+TEST(EdgeTableWalk, AnyStepBeyondTheLastIsTheLast) {
+    const auto picture = [](const std::string& step) {
+        return picture_of(drawn("edge-table", {"step=" + step}));
+    };
+    EXPECT_TRUE(picture("399") == picture("400"));
+    EXPECT_FALSE(picture("30") == picture("31"));
+}
+
+// ---- controls
+
+TEST(Settings, WrongOnesSayWhatWasExpected) {
+    const Lesson& lesson = lesson_named("lost-highlight");
+    Settings settings = starting_settings(lesson);
+    EXPECT_THROW(set(settings, lesson, "level"), apps::UsageError);
+    EXPECT_THROW(set(settings, lesson, "level=9"), apps::UsageError);
+    EXPECT_THROW(set(settings, lesson, "level=x"), apps::UsageError);
+    EXPECT_THROW(set(settings, lesson, "colour=1"), apps::UsageError);
+    EXPECT_THROW(set_frame(settings, lesson, 6), apps::UsageError);
+    EXPECT_THROW(lesson_named("no-such"), apps::UsageError);
+    set_frame(settings, lesson, 2);
+    EXPECT_EQ(settings.at("level"), 2.0);
+}
+
+}  // namespace
+}  // namespace scanlight::demo

@@ -1,0 +1,156 @@
+// The exported page in a real browser, from disk: every control used, nothing fetched, no errors,
+// accessible, as wide as a phone. Usage: node page.mjs INDEX.HTML SCREENSHOTS
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import { pathToFileURL } from "node:url";
+import puppeteer from "puppeteer-core";
+
+const [, , page, screenshots] = process.argv;
+const url = pathToFileURL(page).href;
+const axe = fs.readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const failures = [];
+let checks = 0;
+
+function expect(holds, what) {
+  ++checks;
+  if (holds) return;
+  failures.push(what);
+  console.log("FAILED " + what);
+}
+
+const browser = await puppeteer.launch({
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--disable-gpu"],
+});
+
+async function opened(width, scheme, hash) {
+  const tab = await browser.newPage();
+  tab.on("console", (message) => ["error", "warn"].includes(message.type()) && failures.push("console: " + message.text()));
+  tab.on("pageerror", (error) => failures.push("script: " + error.message));
+  tab.on("request", (request) => {
+    if (!request.url().startsWith("data:") && request.url().split("#")[0] !== url) failures.push("request: " + request.url());
+  });
+  await tab.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
+  await tab.setViewport({ width, height: 900 });
+  await tab.goto(url + hash, { waitUntil: "load" });
+  return tab;
+}
+
+const shown = (tab) =>
+  tab.$eval("#lesson", (main) => [...main.querySelectorAll("img")].map((image) => image.src.length + image.src.slice(-60)).join() + main.innerText + [...main.querySelectorAll("svg")].map((svg) => svg.outerHTML).join());
+
+async function accessible(tab, where) {
+  await tab.evaluate(axe);
+  const { violations } = await tab.evaluate(() => axe.run(document, { runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"] }));
+  const told = violations.map((v) => `${v.id} (${v.nodes.length}: ${v.nodes[0].html.slice(0, 120)})`);
+  expect(violations.length === 0, `${where}: accessible: ${told.join("; ")}`);
+}
+
+// Each control from one end to the other by keys, or through all words.
+async function useControls(tab, lesson) {
+  for (const id of await tab.$$eval(".controls input, .controls select", (all) => all.map((control) => control.id))) {
+    const before = await shown(tab);
+    const words = await tab.$eval("#" + id, (control) => (control.tagName === "SELECT" ? [...control.options].map((option) => option.value) : []));
+    let changed = 0;
+    if (words.length) {
+      for (const word of words) {
+        await tab.select("#" + id, word);
+        changed += (await shown(tab)) !== before;
+      }
+    } else {
+      for (const key of ["Home", "ArrowRight", "End"]) {
+        await tab.focus("#" + id);
+        await tab.keyboard.press(key);
+        changed += (await shown(tab)) !== before;
+      }
+      expect(await tab.evaluate((name) => document.activeElement.id === name, id), `${lesson}: ${id} keeps the focus`);
+    }
+    expect(changed > 0, `${lesson}: ${id} changes what is shown`);
+  }
+}
+
+async function useWipe(tab, lesson) {
+  if (!(await tab.$('[data-view="wipe"]'))) return;
+  await tab.click('[data-view="wipe"]');
+  const cut = () => tab.$eval(".over", (over) => over.style.clipPath);
+  const before = await cut();
+  await tab.focus("#wipe");
+  await tab.keyboard.press("PageUp");
+  expect((await cut()) !== before, `${lesson}: the wipe moves`);
+  await tab.click('[data-view="side-by-side"]');
+  expect((await tab.$$(".panels figure")).length > 1, `${lesson}: side by side again`);
+}
+
+// Forwards and back again is where it began, by keys and by buttons.
+async function useStepper(tab) {
+  await tab.waitForSelector(".stepper");
+  const grid = () => tab.$eval(".stepper", (stepper) => stepper.querySelector("svg").outerHTML + stepper.innerText);
+  for (const [there, back] of [["ArrowRight", "ArrowLeft"], ["ArrowDown", "ArrowUp"]]) {
+    await tab.focus(".stepper .picture");
+    await tab.keyboard.press("Home");
+    for (let i = 0; i < 6; ++i) await tab.keyboard.press("ArrowDown");
+    const before = await grid();
+    for (let i = 0; i < 3; ++i) await tab.keyboard.press(there);
+    expect((await grid()) !== before, `edge-table: ${there} steps`);
+    for (let i = 0; i < 3; ++i) await tab.keyboard.press(back);
+    expect((await grid()) === before, `edge-table: ${back} steps back`);
+  }
+  const before = await grid();
+  await tab.click('[data-step="next-step"]');
+  expect((await grid()) !== before, "edge-table: the button steps");
+  await tab.click('[data-step="back-step"]');
+  expect((await grid()) === before, "edge-table: the button steps back");
+  const pixels = await tab.evaluate(() => {
+    document.querySelector('[data-step="last-step"]').click();
+    return [...document.querySelectorAll(".stepper rect[height='1']")].length;
+  });
+  expect(pixels > 20, "edge-table: at the end all pixels are stored");
+}
+
+async function useLesson(tab, lesson) {
+  await tab.click(`#contents a[href="#${lesson}"]`);
+  await tab.waitForFunction((name) => location.hash.startsWith("#" + name), {}, lesson);
+  if (lesson === "edge-table") await useStepper(tab);
+  expect((await tab.$$("#lesson math")).length === 1, `${lesson}: has a formula`);
+  expect(await tab.$eval("#lesson pre", (pre) => pre.textContent.startsWith("scanlight ")), `${lesson}: has its command`);
+  await useControls(tab, lesson);
+  await useWipe(tab, lesson);
+  await tab.click(".answer summary");
+  expect(await tab.$eval(".answer", (details) => details.open), `${lesson}: the answer opens`);
+  await tab.screenshot({ path: `${screenshots}/${lesson}.png`, fullPage: true });
+}
+
+const desk = await opened(1280, "light", "");
+const lessons = await desk.$$eval("#contents a", (links) => links.map((link) => link.hash.slice(1)));
+expect(lessons.length === 12, "twelve lessons");
+for (const lesson of lessons) await useLesson(desk, lesson);
+
+for (const [language, scheme] of [["en", "light"], ["zh", "dark"]]) {
+  for (const lesson of lessons) {
+    const tab = await opened(1280, scheme, `#${lesson}&language=${language}`);
+    await tab.waitForSelector("#screen > *");
+    await accessible(tab, `${lesson}, ${language}, ${scheme}`);
+    if (scheme === "dark") await tab.screenshot({ path: `${screenshots}/${lesson}-zh-dark.png`, fullPage: true });
+    await tab.close();
+  }
+}
+
+const phone = await opened(375, "light", "");
+for (const lesson of lessons) {
+  await phone.goto(url + "#" + lesson);
+  await phone.waitForSelector("#screen > *");
+  const width = await phone.evaluate(() => document.documentElement.scrollWidth);
+  expect(width <= 375, `${lesson}: fits a phone (${width} px)`);
+  await phone.screenshot({ path: `${screenshots}/${lesson}-phone.png`, fullPage: true });
+}
+
+const switched = await opened(1280, "light", "#orientation&angle=45");
+expect((await switched.$eval("#control-angle", (range) => range.getAttribute("aria-valuetext"))) === "45", "a link restores the control");
+await switched.click("#language");
+expect(await switched.$eval("h2 + p", (p) => /[\u4e00-\u9fff]/.test(p.textContent)), "the switch speaks Chinese");
+expect((await switched.$eval("html", (html) => html.lang)) === "zh-Hans", "and says so");
+
+await browser.close();
+console.log(`${checks} checks, ${failures.length} failures`);
+for (const failure of new Set(failures)) console.log("  " + failure);
+process.exit(failures.length ? 1 : 0);
