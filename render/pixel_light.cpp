@@ -30,8 +30,7 @@ Material without_body(Material material) {
 /// What a model adds for one light.
 glm::vec3 term_of(const Settings& settings, const shading::Surface<float>& surface,
                   const Material& material, const shading::Incident<float>& light) {
-    return with_model(settings,
-                      [&](const auto& model) { return model(surface, material, light); });
+    return with_model(settings, [&](const auto& model) { return model(surface, material, light); });
 }
 
 /// Cook and Torrance's body has the share that their facets leave.

@@ -11,14 +11,14 @@ namespace scanlight::render {
 
 /// What one light adds to the intensity at a pixel, and what it is reckoned from. World space.
 struct LightAtPixel {
-    glm::vec3 L;          // unit, towards the light
-    glm::vec3 H;          // unit, half way between L and V
-    glm::vec3 R;          // L mirrored about N
-    float distance;       // r; infinite for a light at infinity
-    glm::vec3 intensity;  // I_p after the fall-off
-    glm::vec3 body;       // the diffuse part, without shadow
-    glm::vec3 highlight;  // the rest of what the model adds, without shadow
-    float share;          // of the light, that reaches the pixel: 0 in shadow
+    glm::vec3 L;           // unit, towards the light
+    glm::vec3 H;           // unit, half way between L and V
+    glm::vec3 R;           // L mirrored about N
+    float distance;        // r; infinite for a light at infinity
+    glm::vec3 intensity;   // I_p after the fall-off
+    glm::vec3 body;        // the diffuse part, without shadow
+    glm::vec3 highlight;   // the rest of what the model adds, without shadow
+    float share;           // of the light, that reaches the pixel: 0 in shadow
     std::int32_t stencil;  // in how many shadow volumes the surface lies; 0 where none are counted
 };
 
@@ -40,8 +40,8 @@ struct PixelLight {
 };
 
 /// Finds out what is at pixels of one picture. Each buffer that this takes is drawn once, by the
-/// textbook's walk. Materials are those of the objects: of textures, vertex colours and surroundings
-/// it knows nothing, and it takes all surfaces for opaque.
+/// textbook's walk. Materials are those of the objects: of textures, vertex colours and
+/// surroundings it knows nothing, and it takes all surfaces for opaque.
 class PixelLights {
 public:
     PixelLights(Scene scene, const Settings& settings, raster::Viewport viewport);

@@ -19,8 +19,9 @@ int run(int argc, char** argv) {
     scanlight::apps::add_scene_options(program, options.scene);
     scanlight::apps::add_canvas_options(program, options.scene);
     program.get_option("input")->required(false);
-    program.add_option("--measure", options.measured_frames,
-                       "turn the picture by so many frames, print how long they took, and end")
+    program
+        .add_option("--measure", options.measured_frames,
+                    "turn the picture by so many frames, print how long they took, and end")
         ->type_name("FRAMES")
         ->check(CLI::Range(1, 100000));
     program.add_option("--snapshot", options.snapshot, "save a picture of the window, and end")

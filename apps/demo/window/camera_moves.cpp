@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "apps/demo/window/round.h"
+#include "apps/scene/scene_setup.h"
 
 namespace scanlight::apps::window {
 
@@ -24,6 +25,14 @@ SceneOptions standing(SceneOptions options, const glm::dvec3& eye, const glm::dv
     options.eye = rounded(eye, size, digits);
     options.target = rounded(target, size, digits);
     return options;
+}
+
+/// How far from its target the eye has to stand for things to stay as large as they are: where
+/// lines of sight are parallel, the field of view is that which a perspective camera would need.
+double distance_of(const SceneOptions& options, const render::Camera& camera) {
+    if (camera.projection == render::Projection::perspective)
+        return glm::length(camera.eye - camera.target);
+    return bare_camera(options).magnification * options.zoom / camera.magnification;
 }
 
 /// World units that a pixel shows at the target.
@@ -48,7 +57,8 @@ SceneOptions turned(SceneOptions options, const render::Camera& camera, Point by
     angles.azimuth_deg -= by.x * degrees_a_pixel;
     angles.elevation_deg =
         std::clamp(angles.elevation_deg + by.y * degrees_a_pixel, -highest_deg, highest_deg);
-    const glm::dvec3 eye = camera.target + glm::length(arm) * render::direction_of(angles);
+    const glm::dvec3 eye =
+        camera.target + distance_of(options, camera) * render::direction_of(angles);
     return standing(std::move(options), eye, camera.target);
 }
 
@@ -56,7 +66,10 @@ SceneOptions panned(SceneOptions options, const render::Camera& camera, Point by
     const glm::dmat3 world_from_eye = glm::transpose(glm::dmat3(render::eye_from_world(camera)));
     const glm::dvec3 shift =
         world_from_eye * glm::dvec3(-by.x, by.y, 0.0) * pixel_size(camera, height);
-    return standing(std::move(options), camera.eye + shift, camera.target + shift);
+    const glm::dvec3 target = camera.target + shift;
+    const glm::dvec3 arm =
+        distance_of(options, camera) * glm::normalize(camera.eye - camera.target);
+    return standing(std::move(options), target + arm, target);
 }
 
 SceneOptions zoomed(SceneOptions options, double notches) {

@@ -6,8 +6,8 @@
 namespace scanlight::apps::window {
 
 // How the mouse moves a camera. `camera` is that by which the picture was drawn when the drag
-// began, `by` how far the mouse is from there, in pixels of a picture of that height. What comes out
-// is rounded, so that scene files and command lines are short.
+// began, `by` how far the mouse is from there, in pixels of a picture of that height. What comes
+// out is rounded, so that scene files and command lines are short.
 
 /// About its target, as if the thing were turned by the hand; never over the poles.
 SceneOptions turned(SceneOptions options, const render::Camera& camera, Point by);

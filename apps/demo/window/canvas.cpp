@@ -2,6 +2,10 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
 #include "apps/demo/window/light_handles.h"
 #include "apps/scene/words.h"
 #include "raster/srgb.h"
@@ -48,9 +52,9 @@ void draw_light_circles(const Box& picture) {
 void draw_lights(const Pane& pane, const WindowState& state, const Cameras& cameras) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const Box& box = pane.visible;
-    list.PushClipRect(place({static_cast<double>(box.x), static_cast<double>(box.y)}),
-                      place({static_cast<double>(box.x + box.width),
-                             static_cast<double>(box.y + box.height)}));
+    list.PushClipRect(
+        place({static_cast<double>(box.x), static_cast<double>(box.y)}),
+        place({static_cast<double>(box.x + box.width), static_cast<double>(box.y + box.height)}));
     if (std::holds_alternative<MovingLight>(state.drag)) draw_light_circles(pane.picture);
     const auto& camera = cameras[static_cast<std::size_t>(pane.view)];
     for (const LightHandle& handle : light_handles(state.of(pane.view), camera, pane.picture))
@@ -74,6 +78,24 @@ void draw_names(const WindowState& state) {
     }
 }
 
+/// Red and blue change places.
+raster::PackedPixel turned(raster::PackedPixel pixel) {
+    return (pixel & 0xff00ff00u) | (pixel & 0xffu) << 16 | (pixel >> 16 & 0xffu);
+}
+
+/// As screens order their bytes, so that SDL can copy them as they are: left to it, putting them in
+/// that order takes as long as drawing them.
+void copy(const Pixels& pixels, SDL_Texture& texture) {
+    void* rows = nullptr;
+    int pitch = 0;
+    if (SDL_LockTexture(&texture, nullptr, &rows, &pitch) != 0) return;
+    for (int y = 0; y < pixels.height(); ++y) {
+        auto* row = static_cast<std::uint8_t*>(rows) + static_cast<std::ptrdiff_t>(y) * pitch;
+        std::ranges::transform(pixels.row(y), reinterpret_cast<raster::PackedPixel*>(row), turned);
+    }
+    SDL_UnlockTexture(&texture);
+}
+
 }  // namespace
 
 void Sheet::show(const Pixels& pixels, const std::string& name, SDL_Renderer* renderer) {
@@ -81,11 +103,11 @@ void Sheet::show(const Pixels& pixels, const std::string& name, SDL_Renderer* re
     if (texture_ == nullptr || pixels.width() != width_ || pixels.height() != height_) {
         width_ = pixels.width();
         height_ = pixels.height();
-        texture_ = made(SDL_CreateTexture(renderer, SDL_PIXELFORMAT_ABGR8888,
+        texture_ = made(SDL_CreateTexture(renderer, SDL_PIXELFORMAT_ARGB8888,
                                           SDL_TEXTUREACCESS_STREAMING, width_, height_));
+        SDL_SetTextureBlendMode(texture_.get(), SDL_BLENDMODE_NONE);
     }
-    SDL_UpdateTexture(texture_.get(), nullptr, pixels.values().data(),
-                      width_ * static_cast<int>(sizeof(raster::PackedPixel)));
+    copy(pixels, *texture_);
     name_ = name;
 }
 

@@ -206,8 +206,7 @@ std::string arguments_of(const SceneOptions& options) {
 std::string command_line_of(const SceneOptions& options) {
     const std::string scene = scene_text(options, "");
     const std::string arguments = arguments_of(options);
-    if (!arguments.empty())
-        return "scanlight render " + arguments + " -o " + output_of(options);
+    if (!arguments.empty()) return "scanlight render " + arguments + " -o " + output_of(options);
     const std::string output = options.objects.empty() ? "picture.png" : output_of(options);
     return "scanlight render scene:- -o " + output + " <<'END'\n" + scene + "END";
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "apps/demo/window/gui.h"
 #include "apps/demo/window/round.h"
 #include "raster/srgb.h"
 
@@ -13,8 +14,7 @@ namespace scanlight::apps::window {
 
 namespace {
 
-constexpr float subscript_size = 0.72f;
-constexpr float subscript_drop = 0.42f;
+constexpr float subscript_drop = 6.0f;  // pixels
 constexpr int digits = 3;
 
 std::string id_of(const Parameter& parameter) {
@@ -41,9 +41,9 @@ std::optional<Value> draw_choice(const Parameter& parameter, const std::optional
 
 std::optional<Value> draw_slider(const Parameter& parameter, const std::optional<Value>& value) {
     auto number = static_cast<float>(value ? number_of(*value).value_or(0.0) : 0.0);
-    const bool is_moved = ImGui::SliderFloat(
-        id_of(parameter).c_str(), &number, static_cast<float>(parameter.low),
-        static_cast<float>(parameter.high), "%.4g", flags_of(parameter));
+    const bool is_moved =
+        ImGui::SliderFloat(id_of(parameter).c_str(), &number, static_cast<float>(parameter.low),
+                           static_cast<float>(parameter.high), "%.4g", flags_of(parameter));
     if (!is_moved) return std::nullopt;
     return number_value(rounded(number, std::abs(number), digits));
 }
@@ -51,9 +51,9 @@ std::optional<Value> draw_slider(const Parameter& parameter, const std::optional
 std::optional<Value> draw_whole_slider(const Parameter& parameter,
                                        const std::optional<Value>& value) {
     int number = static_cast<int>(value ? number_of(*value).value_or(0.0) : 0.0);
-    const bool is_moved = ImGui::SliderInt(
-        id_of(parameter).c_str(), &number, static_cast<int>(parameter.low),
-        static_cast<int>(parameter.high), "%d", flags_of(parameter));
+    const bool is_moved =
+        ImGui::SliderInt(id_of(parameter).c_str(), &number, static_cast<int>(parameter.low),
+                         static_cast<int>(parameter.high), "%d", flags_of(parameter));
     if (!is_moved) return std::nullopt;
     const bool is_odd = parameter.knob.info.schema.contains("not");
     return whole_value(is_odd ? number | 1 : number);
@@ -147,10 +147,9 @@ void draw_symbol(const std::string& symbol) {
     if (line == symbol.size()) return;
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
-    const float size = ImGui::GetFontSize();
-    const ImVec2 at(high.x, low.y + subscript_drop * size);
-    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), std::round(subscript_size * size), at,
-                                        ImGui::GetColorU32(ImGuiCol_Text),
+    const ImVec2 at(high.x, low.y + subscript_drop);
+    ImFont* font = subscript_font();
+    ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, ImGui::GetColorU32(ImGuiCol_Text),
                                         symbol.c_str() + line + 1);
 }
 

@@ -138,9 +138,7 @@ struct After {
     WindowState state;
     const Cameras& cameras;
 
-    WindowState operator()(const Press& press) {
-        return pressed(std::move(state), press, cameras);
-    }
+    WindowState operator()(const Press& press) { return pressed(std::move(state), press, cameras); }
     WindowState operator()(const Move& move) {
         state.mouse = move.to;
         const Drag drag = state.drag;

@@ -8,7 +8,8 @@
 
 namespace scanlight::apps::window {
 
-// What a person does with the picture. The window translates its events into these; tests make them.
+// What a person does with the picture. The window translates its events into these; tests make
+// them.
 
 enum class Button { left, middle, right };
 
@@ -33,8 +34,8 @@ using Event = std::variant<Press, Move, Release, Leave, Wheel, Key>;
 /// The cameras by which the two views were drawn.
 using Cameras = std::array<render::Camera, 2>;
 
-/// What an event makes of the state. A left drag takes a light's handle or the divider, or else turns
-/// the camera; with shift, or by another button, it pans. Cameras of both views move alike.
+/// What an event makes of the state. A left drag takes a light's handle or the divider, or else
+/// turns the camera; with shift, or by another button, it pans. Cameras of both views move alike.
 WindowState after(WindowState state, const Event& event, const Cameras& cameras);
 
 /// What the mouse would take hold of.

@@ -11,24 +11,27 @@ namespace scanlight::apps::window {
 namespace {
 
 constexpr float letter_height = 15.0f;
+constexpr float subscript_height = 11.0f;
 
 /// Debian's fonts-dejavu-core has the Greek that formulas need; ImGui's own font has not.
-void add_font(ImFontAtlas& fonts) {
-    static constexpr ImWchar ranges[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010,
-                                         0x2027, 0x2190, 0x21ff, 0x2200, 0x22ff, 0};
+void add_fonts(ImFontAtlas& fonts) {
+    static constexpr ImWchar ranges[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2027,
+                                         0x2190, 0x21ff, 0x2200, 0x22ff, 0};
     const char* path = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
     ImFontConfig config;
     config.OversampleH = 1;
     config.PixelSnapH = true;  // letters are copied pixel for pixel
-    if (std::filesystem::exists(path)) {
-        fonts.AddFontFromFileTTF(path, letter_height, &config, ranges);
-    } else {
-        fonts.AddFontDefault();
+    for (const float height : {letter_height, subscript_height}) {
+        if (std::filesystem::exists(path)) {
+            fonts.AddFontFromFileTTF(path, height, &config, ranges);
+        } else {
+            fonts.AddFontDefault();
+        }
     }
 }
 
 void set_shapes(ImGuiStyle& style) {
-    style.WindowRounding = style.FrameRounding = style.GrabRounding = style.PopupRounding = 3.0f;
+    style.WindowRounding = style.FrameRounding = style.GrabRounding = style.PopupRounding = 0.0f;
     style.WindowBorderSize = style.PopupBorderSize = 0.0f;
     style.WindowPadding = {14.0f, 12.0f};
     style.ItemSpacing = {8.0f, 5.0f};
@@ -73,7 +76,7 @@ Gui::Gui(SDL_Renderer* renderer) : context_(ImGui::CreateContext()) {
     io.IniFilename = nullptr;  // nothing is left on anyone's disk
     io.BackendRendererName = "scanlight";
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-    add_font(*io.Fonts);
+    add_fonts(*io.Fonts);
     set_shapes(ImGui::GetStyle());
     set_colors(ImGui::GetStyle());
     input_ = std::make_unique<GuiInput>();
@@ -98,6 +101,10 @@ bool Gui::wants_mouse() const {
 
 bool Gui::wants_keys() const {
     return ImGui::GetIO().WantTextInput;
+}
+
+ImFont* subscript_font() {
+    return ImGui::GetIO().Fonts->Fonts[1];
 }
 
 }  // namespace scanlight::apps::window

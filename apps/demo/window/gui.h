@@ -5,6 +5,7 @@
 #include "apps/demo/window/gui_input.h"
 #include "apps/demo/window/sdl.h"
 
+struct ImFont;
 struct ImGuiContext;
 
 namespace scanlight::apps::window {
@@ -34,5 +35,8 @@ private:
     std::unique_ptr<GuiInput> input_;
     Sdl<SDL_Texture> font_;
 };
+
+/// The smaller letters, while there is a Gui.
+ImFont* subscript_font();
 
 }  // namespace scanlight::apps::window

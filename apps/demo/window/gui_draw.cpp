@@ -22,9 +22,7 @@ struct Batch {
 };
 
 SDL_Color color_of(const Corner& corner) {
-    const auto channel = [&](int shift) {
-        return static_cast<Uint8>(corner.col >> shift & 0xffu);
-    };
+    const auto channel = [&](int shift) { return static_cast<Uint8>(corner.col >> shift & 0xffu); };
     return {channel(IM_COL32_R_SHIFT), channel(IM_COL32_G_SHIFT), channel(IM_COL32_B_SHIFT),
             channel(IM_COL32_A_SHIFT)};
 }
@@ -132,7 +130,8 @@ void draw_list(const ImDrawList& list, SDL_Renderer* renderer) {
         const SDL_Rect clip = clip_of(command);
         if (clip.w <= 0 || clip.h <= 0) continue;
         SDL_RenderSetClipRect(renderer, &clip);
-        const std::span vertices(list.VtxBuffer.Data, static_cast<std::size_t>(list.VtxBuffer.Size));
+        const std::span vertices(list.VtxBuffer.Data,
+                                 static_cast<std::size_t>(list.VtxBuffer.Size));
         const std::span indices(list.IdxBuffer.Data, static_cast<std::size_t>(list.IdxBuffer.Size));
         draw_batch({vertices.subspan(command.VtxOffset),
                     indices.subspan(command.IdxOffset, command.ElemCount),

@@ -10,15 +10,22 @@ namespace scanlight::apps::window {
 
 namespace {
 
-constexpr std::pair<ImGuiKey_, SDL_Scancode> keys[] = {
-    {ImGuiKey_Tab, SDL_SCANCODE_TAB},         {ImGuiKey_LeftArrow, SDL_SCANCODE_LEFT},
-    {ImGuiKey_RightArrow, SDL_SCANCODE_RIGHT}, {ImGuiKey_UpArrow, SDL_SCANCODE_UP},
-    {ImGuiKey_DownArrow, SDL_SCANCODE_DOWN},   {ImGuiKey_Home, SDL_SCANCODE_HOME},
-    {ImGuiKey_End, SDL_SCANCODE_END},          {ImGuiKey_Delete, SDL_SCANCODE_DELETE},
-    {ImGuiKey_Backspace, SDL_SCANCODE_BACKSPACE}, {ImGuiKey_Enter, SDL_SCANCODE_RETURN},
-    {ImGuiKey_Escape, SDL_SCANCODE_ESCAPE},    {ImGuiKey_A, SDL_SCANCODE_A},
-    {ImGuiKey_C, SDL_SCANCODE_C},              {ImGuiKey_V, SDL_SCANCODE_V},
-    {ImGuiKey_X, SDL_SCANCODE_X},              {ImGuiKey_Z, SDL_SCANCODE_Z}};
+constexpr std::pair<ImGuiKey_, SDL_Scancode> keys[] = {{ImGuiKey_Tab, SDL_SCANCODE_TAB},
+                                                       {ImGuiKey_LeftArrow, SDL_SCANCODE_LEFT},
+                                                       {ImGuiKey_RightArrow, SDL_SCANCODE_RIGHT},
+                                                       {ImGuiKey_UpArrow, SDL_SCANCODE_UP},
+                                                       {ImGuiKey_DownArrow, SDL_SCANCODE_DOWN},
+                                                       {ImGuiKey_Home, SDL_SCANCODE_HOME},
+                                                       {ImGuiKey_End, SDL_SCANCODE_END},
+                                                       {ImGuiKey_Delete, SDL_SCANCODE_DELETE},
+                                                       {ImGuiKey_Backspace, SDL_SCANCODE_BACKSPACE},
+                                                       {ImGuiKey_Enter, SDL_SCANCODE_RETURN},
+                                                       {ImGuiKey_Escape, SDL_SCANCODE_ESCAPE},
+                                                       {ImGuiKey_A, SDL_SCANCODE_A},
+                                                       {ImGuiKey_C, SDL_SCANCODE_C},
+                                                       {ImGuiKey_V, SDL_SCANCODE_V},
+                                                       {ImGuiKey_X, SDL_SCANCODE_X},
+                                                       {ImGuiKey_Z, SDL_SCANCODE_Z}};
 
 std::optional<std::size_t> button_of(Uint8 sdl_button) {
     switch (sdl_button) {

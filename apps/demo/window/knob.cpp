@@ -15,9 +15,8 @@ namespace {
 /// Of the part of the options that `access` finds.
 template <class Owner, class Access>
 Knob knob_of(const KeyTable<Owner>& table, const std::string& name, Access access) {
-    const auto found = std::ranges::find(table.keys, name, [](const auto& key) {
-        return key.info.name;
-    });
+    const auto found =
+        std::ranges::find(table.keys, name, [](const auto& key) { return key.info.name; });
     if (found == table.keys.end()) throw std::invalid_argument("no key '" + name + "'");
     const Key<Owner> key = *found;
     const auto get = [key, access](const SceneOptions& options) {
@@ -34,22 +33,24 @@ Knob knob_of(const KeyTable<Owner>& table, const std::string& name, Access acces
 template <class Owner>
 Knob knob_in(const KeyTable<Owner>& table, const std::string& name,
              std::vector<Owner> SceneOptions::*list, std::size_t which) {
-    return knob_of(table, name,
-                   [list, which](auto& options) -> auto& { return (options.*list).at(which); });
+    return knob_of(
+        table, name, [ list, which ](auto& options) -> auto& { return (options.*list).at(which); });
 }
 
 }  // namespace
 
 Knob knob(const std::string& section, const std::string& key, std::size_t which) {
-    const auto all = [](auto& options) -> auto& { return options; };
+    const auto all = [](auto& options) -> auto& {
+        return options;
+    };
     if (section == "camera") return knob_of(camera_keys(), key, all);
     if (section == "render") return knob_of(render_keys(), key, all);
     if (section == "surface")
-        return knob_of(surface_keys(), key,
-                       [](auto& options) -> auto& { return options.material; });
+        return knob_of(
+            surface_keys(), key, [](auto& options) -> auto& { return options.material; });
     if (section == "environment")
-        return knob_of(environment_keys(), key,
-                       [](auto& options) -> auto& { return options.environment; });
+        return knob_of(
+            environment_keys(), key, [](auto& options) -> auto& { return options.environment; });
     if (section == "light") return knob_in(light_keys(), key, &SceneOptions::lights, which);
     if (section == "texture") return knob_in(texture_keys(), key, &SceneOptions::textures, which);
     throw std::invalid_argument("no section '" + section + "'");

@@ -108,10 +108,9 @@ SceneOptions with_light_at(SceneOptions options, std::size_t index, Point at,
                            const render::Camera& camera, const Box& picture) {
     options.lights = lights_in(options);
     LightOption& light = options.lights.at(index);
-    light.place =
-        light.frame == LightFrame::point
-            ? lamp_at(at, light.place, camera, picture)
-            : rounded(in_frame(direction_at(at, picture), light.frame, camera), 1.0, 4);
+    light.place = light.frame == LightFrame::point
+                      ? lamp_at(at, light.place, camera, picture)
+                      : rounded(in_frame(direction_at(at, picture), light.frame, camera), 1.0, 4);
     return options;
 }
 

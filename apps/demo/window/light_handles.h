@@ -9,8 +9,8 @@
 namespace scanlight::apps::window {
 
 // Lights as points in a picture, to be dragged. A lamp is seen where it is. A light at infinity is
-// a direction: the middle of the picture comes from the viewer, the inner circle from all sides, the
-// outer one from behind; the angle is even along each radius, so that the mouse can reach all.
+// a direction: the middle of the picture comes from the viewer, the inner circle from all sides,
+// the outer one from behind; the angle is even along each radius, so that the mouse can reach all.
 
 struct LightHandle {
     std::size_t light = 0;  // its place among `lights_in`

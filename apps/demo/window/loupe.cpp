@@ -123,8 +123,8 @@ void draw_numbers(const PickedPixel& picked, const std::optional<render::PixelLi
             draw_light(*pixel, light, options);
         row("I", pixel->intensity);
     } else {
-        row("pixel", std::to_string(picked.x) + ", " + std::to_string(picked.y) +
-                         "   the background");
+        row("pixel",
+            std::to_string(picked.x) + ", " + std::to_string(picked.y) + "   the background");
     }
     row("sRGB", bytes_text(pixels.at(picked.x, picked.y)));
     ImGui::EndTable();
@@ -146,8 +146,8 @@ std::optional<PickedPixel> picked_pixel(const WindowState& state) {
 std::optional<render::PixelLight> PixelReader::at(const Painter& painter,
                                                   const SceneOptions& options, int x, int y) {
     if (drawn_ != painter.drawn()) {
-        lights_ = std::make_unique<render::PixelLights>(painter.scene(), options.settings,
-                                                        options.size);
+        lights_ =
+            std::make_unique<render::PixelLights>(painter.scene(), options.settings, options.size);
         drawn_ = painter.drawn();
     }
     return lights_->at(x, y);

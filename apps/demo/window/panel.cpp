@@ -32,9 +32,8 @@ void begin_window(int x, int height) {
     ImGui::SetNextWindowPos({static_cast<float>(x), 0.0f});
     ImGui::SetNextWindowSize({static_cast<float>(Panel::width), static_cast<float>(height)});
     ImGui::Begin("panel", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                     ImGuiWindowFlags_NoSavedSettings);
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
 }
 
 void explain(const std::string& text) {
@@ -122,8 +121,7 @@ Wish Panel::draw_wishes(const PanelNews& news) {
     ImGui::SameLine();
     if (draw_button("copy", "Copy command", Look::plain)) wish = Wish::copy_command_line;
     explain("The command line that draws the picture of this view, to the clipboard.");
-    ImGui::TextDisabled("%zu polygons, drawn in %.1f ms", news.polygons,
-                        news.picture_milliseconds);
+    ImGui::TextDisabled("%zu polygons, drawn in %.1f ms", news.polygons, news.picture_milliseconds);
     ImGui::PushTextWrapPos(0.0f);
     if (!news.message.empty()) ImGui::TextUnformatted(news.message.c_str());
     ImGui::PopTextWrapPos();
@@ -189,8 +187,7 @@ void Panel::draw_light_buttons(WindowState& state, const PanelNews& news) {
     if (draw_button("add lamp", "Add lamp", Look::plain))
         view = with_more_light(std::move(view), {LightFrame::point, news.lamp});
     ImGui::SameLine();
-    if (draw_button("remove light", "Remove", Look::plain))
-        view = with_less_light(std::move(view));
+    if (draw_button("remove light", "Remove", Look::plain)) view = with_less_light(std::move(view));
     explain("A light or lamp can be dragged by its disc in the picture.");
 }
 

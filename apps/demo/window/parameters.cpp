@@ -52,8 +52,8 @@ Parameter slider(const std::string& group, const std::string& section, const std
     return p;
 }
 
-Parameter whole_slider(const std::string& group, const std::string& section,
-                       const std::string& key, Range range) {
+Parameter whole_slider(const std::string& group, const std::string& section, const std::string& key,
+                       Range range) {
     Parameter p = slider(group, section, key, "", range);
     p.control = Control::whole_slider;
     return p;
@@ -98,12 +98,10 @@ Parameter by_material(Parameter p, Actual actual) {
 
 std::vector<Parameter> light_models() {
     const std::string g = "Shading";
-    return {choice(g, "render", "shading"),
-            choice(g, "render", "illumination"),
-            of(slider(g, "render", "gouraud71_k", "k", {0.05, 20.0, Scale::logarithmic}),
-               {gouraud71}),
-            choice(g, "render", "distances"),
-            color(g, "render", "ambient", "I_a", "ambient light")};
+    return {
+        choice(g, "render", "shading"), choice(g, "render", "illumination"),
+        of(slider(g, "render", "gouraud71_k", "k", {0.05, 20.0, Scale::logarithmic}), {gouraud71}),
+        choice(g, "render", "distances"), color(g, "render", "ambient", "I_a", "ambient light")};
 }
 
 std::vector<Parameter> colors() {
@@ -130,11 +128,10 @@ std::vector<Parameter> transmission() {
             of(by_material(color(g, "surface", "kt", "K_t", "specular from behind"),
                            [](const Material& m) { return color_value(m.transmission.specular); }),
                {hall}),
-            of(by_material(named(slider(g, "surface", "nt", "n_t", {1.0, 2000.0, Scale::logarithmic}),
-                                 "exponent from behind"),
-                           [](const Material& m) {
-                               return number_value(m.transmission.exponent.value());
-                           }),
+            of(by_material(
+                   named(slider(g, "surface", "nt", "n_t", {1.0, 2000.0, Scale::logarithmic}),
+                         "exponent from behind"),
+                   [](const Material& m) { return number_value(m.transmission.exponent.value()); }),
                {hall})};
 }
 
@@ -150,11 +147,9 @@ std::vector<Parameter> facets() {
                      "roughness"),
                only),
             of(or_unsaid(choice(g, "surface", "metal"), "none", forget_metal), only),
-            of(by_material(named(slider(g, "surface", "ior", "\xCE\xB7", {1.0, 3.0}),
-                                 "index of refraction"),
-                           [](const Material& m) {
-                               return number_value(m.facets.reflectance.n.x);
-                           }),
+            of(by_material(
+                   named(slider(g, "surface", "ior", "\xCE\xB7", {1.0, 3.0}), "refractive index"),
+                   [](const Material& m) { return number_value(m.facets.reflectance.n.x); }),
                {cook_torrance, hall}),
             of(by_material(slider(g, "surface", "specular_share", "K_s", {0.0, 1.0}),
                            [](const Material& m) { return number_value(m.facets.share); }),
@@ -166,14 +161,14 @@ std::vector<Parameter> facets() {
 
 std::vector<Parameter> transparency() {
     const std::string g = "Surface";
-    Parameter t = by_material(named(slider(g, "surface", "opacity", "t", {0.0, 1.0}),
-                                    "transparency"),
-                              [](const Material& m) { return number_value(m.opacity); });
+    Parameter t =
+        by_material(named(slider(g, "surface", "opacity", "t", {0.0, 1.0}), "transparency"),
+                    [](const Material& m) { return number_value(m.opacity); });
     t.turned = [](double x) { return 1.0 - x; };
     return {t,
-            by_material(color(g, "surface", "mirror", "K_s'", "mirrored surroundings"),
+            by_material(color(g, "surface", "mirror", "K_s'", "mirrored"),
                         [](const Material& m) { return color_value(m.mirror); }),
-            by_material(color(g, "surface", "refract", "K_t'", "refracted surroundings"),
+            by_material(color(g, "surface", "refract", "K_t'", "refracted"),
                         [](const Material& m) { return color_value(m.refracted); })};
 }
 
@@ -228,7 +223,7 @@ std::vector<Parameter> surroundings() {
     const std::string g = "Surroundings";
     return {or_unsaid(named(choice(g, "environment", "built_in"), "environment"), "none",
                       [](SceneOptions& o) { o.environment = {}; }),
-            named(check(g, "environment", "light"), "lights matt surfaces")};
+            named(check(g, "environment", "light"), "lights all")};
 }
 
 /// Whether a picture with this illumination model, of these shadows, has a use for the parameter.

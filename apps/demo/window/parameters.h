@@ -27,7 +27,7 @@ struct Parameter {
     double low = 0.0;  // of a slider, which may be less than the key takes
     double high = 1.0;
     Scale scale = Scale::linear;
-    std::vector<std::string> words = {};  // of a choice
+    std::vector<std::string> words = {};             // of a choice
     std::vector<shading::Illumination> models = {};  // that know it; empty: all
     /// Takes back what was said; as the first word of a choice it is called `unsaid`.
     std::function<void(SceneOptions&)> clear = {};

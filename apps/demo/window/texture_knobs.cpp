@@ -73,11 +73,10 @@ Knob pattern_knob(TextureSlot slot) {
         const auto pattern = text_of(value);
         return pattern && put_on(options, slot, *pattern);
     };
-    return {info,
-            [slot](const SceneOptions& options) {
-                return std::optional(pattern_on(options, slot));
-            },
-            set};
+    return {
+        info,
+        [slot](const SceneOptions& options) { return std::optional(pattern_on(options, slot)); },
+        set};
 }
 
 Knob mapping_knob(TextureSlot slot) {

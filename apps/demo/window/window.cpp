@@ -23,8 +23,7 @@ constexpr raster::Viewport least_canvas{320, 240};
 
 Sdl<SDL_Window> made_window(raster::Viewport canvas) {
     return made(SDL_CreateWindow("Scanlight", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
-                                 canvas.width + Panel::width, canvas.height,
-                                 SDL_WINDOW_RESIZABLE));
+                                 canvas.width + Panel::width, canvas.height, SDL_WINDOW_RESIZABLE));
 }
 
 std::array<Sdl<SDL_Cursor>, 3> made_cursors() {
@@ -62,8 +61,7 @@ Window::Window(const SceneOptions& scene)
       cursors_(made_cursors()),
       state_(window_of(scene)),
       drawn_(state_) {
-    SDL_SetWindowMinimumSize(window_.get(), least_canvas.width + Panel::width,
-                             least_canvas.height);
+    SDL_SetWindowMinimumSize(window_.get(), least_canvas.width + Panel::width, least_canvas.height);
     SDL_EventState(SDL_DROPFILE, SDL_ENABLE);
     paint_views();
 }
@@ -253,8 +251,8 @@ raster::Image8 Window::screenshot() const {
     int height = 0;
     SDL_GetRendererOutputSize(renderer_.get(), &width, &height);
     raster::Image8 image(width, height, 3);
-    SDL_RenderReadPixels(renderer_.get(), nullptr, SDL_PIXELFORMAT_RGB24,
-                         image.samples().data(), 3 * width);
+    SDL_RenderReadPixels(renderer_.get(), nullptr, SDL_PIXELFORMAT_RGB24, image.samples().data(),
+                         3 * width);
     return image;
 }
 

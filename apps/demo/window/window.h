@@ -19,8 +19,8 @@ namespace scanlight::apps::window {
 /// is in functions of the state; this joins them to SDL.
 class Window {
 public:
-    /// A canvas of the scene's size, and the panel beside it. Throws UsageError or FileError for the
-    /// scene, std::runtime_error where there is no display.
+    /// A canvas of the scene's size, and the panel beside it. Throws UsageError or FileError for
+    /// the scene, std::runtime_error where there is no display.
     explicit Window(const SceneOptions& scene);
 
     bool is_open() const { return is_open_; }
