@@ -26,6 +26,8 @@ int run(int argc, char** argv) {
         ->check(CLI::Range(1, 100000));
     program.add_option("--snapshot", options.snapshot, "save a picture of the window, and end")
         ->type_name("PNG");
+    program.add_flag("--controls", options.lists_controls,
+                     "print where each control of the window stands, for scripts, and end");
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cfloat>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "apps/demo/window/gui.h"
 #include "apps/demo/window/round.h"
@@ -121,6 +125,30 @@ std::optional<Value> draw_color(const Parameter& parameter, const std::optional<
     return changed;
 }
 
+// ---- symbols
+
+struct Piece {
+    enum Place { on_line, low };
+    std::string text;
+    Place place;
+};
+
+/// "K_s'" is K, a low s and '.
+std::vector<Piece> pieces_of(const std::string& symbol) {
+    std::vector<Piece> pieces{{"", Piece::on_line}};
+    for (const char c : symbol) {
+        const bool is_low = pieces.back().place == Piece::low;
+        const bool ends = is_low && std::isalnum(static_cast<unsigned char>(c)) == 0;
+        if (ends) pieces.push_back({"", Piece::on_line});
+        if (c == '_') {
+            pieces.push_back({"", Piece::low});
+        } else {
+            pieces.back().text += c;
+        }
+    }
+    return pieces;
+}
+
 }  // namespace
 
 std::optional<Value> draw_control(const Parameter& parameter, const std::optional<Value>& value) {
@@ -141,16 +169,20 @@ std::optional<Value> draw_control(const Parameter& parameter, const std::optiona
 }
 
 void draw_symbol(const std::string& symbol) {
-    const std::size_t line = std::min(symbol.find('_'), symbol.size());
-    const std::string letter = symbol.substr(0, line);
-    ImGui::TextUnformatted(letter.c_str());
-    if (line == symbol.size()) return;
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const ImVec2 high = ImGui::GetItemRectMax();
-    const ImVec2 at(high.x, low.y + subscript_drop);
-    ImFont* font = subscript_font();
-    ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, ImGui::GetColorU32(ImGuiCol_Text),
-                                        symbol.c_str() + line + 1);
+    const auto pieces = pieces_of(symbol);
+    ImGui::TextUnformatted(pieces.front().text.c_str());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 line(ImGui::GetItemRectMax().x, ImGui::GetItemRectMin().y);
+    float x = line.x;
+    for (const auto& [text, place] : std::span(pieces).subspan(1)) {
+        const bool is_low = place == Piece::low;
+        ImFont* font = is_low ? subscript_font() : ImGui::GetFont();
+        list.AddText(font, font->FontSize, {x, line.y + (is_low ? subscript_drop : 0.0f)},
+                     ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+        x += font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.c_str()).x;
+    }
+    ImGui::SameLine(0.0f, 0.0f);
+    ImGui::Dummy({x - line.x, 0.0f});
 }
 
 }  // namespace scanlight::apps::window

@@ -10,7 +10,7 @@ namespace scanlight::apps::window {
 /// anything.
 std::optional<Value> draw_control(const Parameter& parameter, const std::optional<Value>& value);
 
-/// "K_a" with the a lowered.
+/// "I_a K_a" with both a lowered: what follows a line is, as far as letters and digits go.
 void draw_symbol(const std::string& symbol);
 
 }  // namespace scanlight::apps::window

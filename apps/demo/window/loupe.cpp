@@ -79,6 +79,9 @@ void draw_place(const PickedPixel& picked, const render::PixelLight& pixel) {
     row("point", pixel.point);
     row("N", pixel.N);
     row("V", pixel.V);
+    row("K_d", pixel.K_d);
+    row("K_s", pixel.K_s);
+    row("n", number_text(pixel.exponent));
     row("I_a K_a", pixel.ambient);
 }
 
@@ -132,6 +135,14 @@ void draw_numbers(const PickedPixel& picked, const std::optional<render::PixelLi
         ImGui::TextDisabled("Terms as Phong shading has them here; this view interpolates.");
 }
 
+/// In the lower corner that is farther from the pixel.
+void place_window(const PickedPixel& picked, raster::Viewport canvas) {
+    const bool is_left = picked.x * 2 > canvas.width;
+    const auto x = is_left ? 10.0f : static_cast<float>(canvas.width) - 10.0f;
+    ImGui::SetNextWindowPos({x, static_cast<float>(canvas.height) - 10.0f}, ImGuiCond_Always,
+                            {is_left ? 0.0f : 1.0f, 1.0f});
+}
+
 }  // namespace
 
 std::optional<PickedPixel> picked_pixel(const WindowState& state) {
@@ -154,9 +165,8 @@ std::optional<render::PixelLight> PixelReader::at(const Painter& painter,
 }
 
 void draw_loupe(const PickedPixel& picked, const std::optional<render::PixelLight>& pixel,
-                const Painter& painter, const SceneOptions& options, int canvas_height) {
-    ImGui::SetNextWindowPos({10.0f, static_cast<float>(canvas_height) - 10.0f}, ImGuiCond_Always,
-                            {0.0f, 1.0f});
+                const Painter& painter, const SceneOptions& options, raster::Viewport canvas) {
+    place_window(picked, canvas);
     ImGui::SetNextWindowBgAlpha(0.93f);
     ImGui::Begin("loupe", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |

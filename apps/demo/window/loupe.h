@@ -32,9 +32,9 @@ private:
     std::unique_ptr<render::PixelLights> lights_;
 };
 
-/// Tells all of it, in the lower left corner of a canvas of this height: the pixels about it
+/// Tells all of it, in a lower corner of the canvas: the pixels about it
 /// enlarged, its vectors, each term of its light.
 void draw_loupe(const PickedPixel& picked, const std::optional<render::PixelLight>& pixel,
-                const Painter& painter, const SceneOptions& options, int canvas_height);
+                const Painter& painter, const SceneOptions& options, raster::Viewport canvas);
 
 }  // namespace scanlight::apps::window

@@ -36,6 +36,12 @@ void begin_window(int x, int height) {
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
 }
 
+/// A command line can carry a whole scene.
+std::string shortened(const std::string& message) {
+    constexpr std::size_t most = 260;
+    return message.size() <= most ? message : message.substr(0, most) + " \xE2\x80\xA6";
+}
+
 void explain(const std::string& text) {
     if (!ImGui::IsItemHovered()) return;
     ImGui::BeginTooltip();
@@ -123,7 +129,7 @@ Wish Panel::draw_wishes(const PanelNews& news) {
     explain("The command line that draws the picture of this view, to the clipboard.");
     ImGui::TextDisabled("%zu polygons, drawn in %.1f ms", news.polygons, news.picture_milliseconds);
     ImGui::PushTextWrapPos(0.0f);
-    if (!news.message.empty()) ImGui::TextUnformatted(news.message.c_str());
+    ImGui::TextUnformatted(shortened(news.message).c_str());
     ImGui::PopTextWrapPos();
     return wish;
 }

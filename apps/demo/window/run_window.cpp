@@ -1,5 +1,6 @@
 #include "apps/demo/window/run_window.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <vector>
 
@@ -52,6 +53,17 @@ int take_snapshot(Window& window, const std::string& path) {
     return 0;
 }
 
+/// "shading 698 147 185 22": name with - for spaces, corner, width and height, in pixels.
+int list_controls(Window& window) {
+    draw_first_frames(window);
+    for (const auto& [name, box] : window.controls()) {
+        std::string word = name;
+        std::ranges::replace(word, ' ', '-');
+        std::printf("%s %d %d %d %d\n", word.c_str(), box.x, box.y, box.width, box.height);
+    }
+    return 0;
+}
+
 /// Draws when something happens, at most as often as screens show it; else sleeps.
 int stay_open(Window& window) {
     while (window.is_open()) {
@@ -72,6 +84,7 @@ int run_window(const WindowOptions& options) {
     Window window(options.scene);
     if (options.measured_frames > 0) return measure(window, options.measured_frames);
     if (!options.snapshot.empty()) return take_snapshot(window, options.snapshot);
+    if (options.lists_controls) return list_controls(window);
     return stay_open(window);
 }
 

@@ -204,7 +204,7 @@ void Window::draw_overlay() {
     const auto index = static_cast<std::size_t>(picked->view);
     const SceneOptions& options = state_.of(picked->view);
     const auto pixel = readers_[index].at(painters_[index], options, picked->x, picked->y);
-    draw_loupe(*picked, pixel, painters_[index], options, state_.canvas.height);
+    draw_loupe(*picked, pixel, painters_[index], options, state_.canvas);
 }
 
 void Window::draw_frame() {
