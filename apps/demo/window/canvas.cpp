@@ -66,15 +66,21 @@ void draw_divider(const WindowState& state) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const auto x = static_cast<float>(divider_column(state));
     const auto height = static_cast<float>(state.canvas.height);
-    list.AddRectFilled({x - 1.0f, 0.0f}, {x + 1.0f, height}, light);
-    list.AddRectFilled({x - 4.0f, height / 2 - 18.0f}, {x + 4.0f, height / 2 + 18.0f}, light, 4.0f);
+    const auto bar = [&](float half_width, float low, float high, ImU32 color) {
+        list.AddRectFilled({x - half_width, low}, {x + half_width, high}, color);
+    };
+    bar(2.0f, 0.0f, height, dark);
+    bar(1.0f, 0.0f, height, light);
+    bar(6.0f, height / 2 - 22.0f, height / 2 + 22.0f, dark);
+    bar(4.0f, height / 2 - 20.0f, height / 2 + 20.0f, light);
 }
 
 void draw_names(const WindowState& state) {
     for (const Pane& pane : panes_of(state)) {
         const char* letter = pane.view == View::left ? "A  " : "B  ";
         draw_label(letter + name_of(state.of(pane.view)),
-                   {pane.visible.x + 10.0, pane.visible.y + 10.0});
+                   {pane.visible.x + 10.0, pane.visible.y + 10.0},
+                   pane.view == state.chosen ? Look::chosen : Look::plain);
     }
 }
 
@@ -137,12 +143,15 @@ std::string name_of(const SceneOptions& options) {
     return name;
 }
 
-void draw_label(const std::string& text, Point at) {
+void draw_label(const std::string& text, Point at, Look look) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const ImVec2 low = place(at);
-    list.AddRectFilled(low, {low.x + size.x + 16.0f, low.y + size.y + 8.0f}, dark, 3.0f);
-    list.AddText({low.x + 8.0f, low.y + 4.0f}, light, text.c_str());
+    const ImVec2 high(low.x + size.x + 16.0f, low.y + size.y + 8.0f);
+    list.AddRectFilled(low, high, dark);
+    if (look == Look::chosen)
+        list.AddRectFilled(low, {low.x + 3.0f, high.y}, ImGui::GetColorU32(ImGuiCol_SliderGrab));
+    list.AddText({low.x + 9.0f, low.y + 4.0f}, light, text.c_str());
 }
 
 }  // namespace scanlight::apps::window

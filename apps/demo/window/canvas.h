@@ -33,7 +33,10 @@ void draw_marks(const WindowState& state, const Cameras& cameras);
 /// "gouraud, blinn, shadows zfail": what a view is drawn by.
 std::string name_of(const SceneOptions& options);
 
+/// Whether the panel is about it.
+enum class Look { plain, chosen };
+
 /// A line of text on a dark ground, its upper left corner there.
-void draw_label(const std::string& text, Point at);
+void draw_label(const std::string& text, Point at, Look look = Look::plain);
 
 }  // namespace scanlight::apps::window

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -117,8 +118,29 @@ std::string bytes_text(raster::PackedPixel pixel) {
            std::to_string(pixel >> 16 & 0xff);
 }
 
+/// Whether surfaces have more than their materials' colours.
+bool has_paint(const render::Scene& scene) {
+    const auto is_painted = [](const render::Object& object) {
+        return object.mesh->vertices.has_colors() ||
+               std::ranges::any_of(object.textures, &shading::SurfaceTextures::any);
+    };
+    return scene.mirrored != nullptr || scene.diffuse != nullptr ||
+           std::ranges::any_of(scene.objects, is_painted);
+}
+
+/// What the numbers leave out.
+void draw_notes(const render::Scene& scene, const SceneOptions& options) {
+    if (options.settings.shading != render::Shading::phong)
+        ImGui::TextDisabled("Terms as Phong shading has them; this view interpolates.");
+    if (has_paint(scene))
+        ImGui::TextDisabled("Terms without textures, vertex colours and surroundings.");
+    if (options.settings.grid > 1)
+        ImGui::TextDisabled("Of the pixel's centre; this view averages samples.");
+}
+
 void draw_numbers(const PickedPixel& picked, const std::optional<render::PixelLight>& pixel,
-                  const Pixels& pixels, const SceneOptions& options) {
+                  const Painter& painter, const SceneOptions& options) {
+    const Pixels& pixels = painter.pixels();
     if (!ImGui::BeginTable("numbers", 2, ImGuiTableFlags_SizingFixedFit)) return;
     if (pixel) {
         draw_place(picked, *pixel);
@@ -131,8 +153,7 @@ void draw_numbers(const PickedPixel& picked, const std::optional<render::PixelLi
     }
     row("sRGB", bytes_text(pixels.at(picked.x, picked.y)));
     ImGui::EndTable();
-    if (pixel && options.settings.shading != render::Shading::phong)
-        ImGui::TextDisabled("Terms as Phong shading has them here; this view interpolates.");
+    if (pixel) draw_notes(painter.scene(), options);
 }
 
 /// In the lower corner that is farther from the pixel.
@@ -174,7 +195,7 @@ void draw_loupe(const PickedPixel& picked, const std::optional<render::PixelLigh
     draw_magnified(picked, painter.pixels());
     ImGui::SameLine(0.0f, 14.0f);
     ImGui::BeginGroup();
-    draw_numbers(picked, pixel, painter.pixels(), options);
+    draw_numbers(picked, pixel, painter, options);
     ImGui::EndGroup();
     ImGui::End();
 }

@@ -15,6 +15,11 @@ namespace {
 
 constexpr float symbol_column = 34.0f;
 constexpr float control_column = 164.0f;
+constexpr float news_height = 122.0f;  // always the same, so that no control jumps
+
+constexpr const char* help =
+    "Drag to turn, with the right button to move, the wheel to enlarge; drag a light by its disc. "
+    "1 to 4 arrange the views, Tab takes the other, F frames, L is the loupe, P holds its pixel.";
 
 constexpr std::pair<Arrangement, const char*> arrangements[] = {
     {Arrangement::one, "One"},
@@ -38,7 +43,7 @@ void begin_window(int x, int height) {
 
 /// A command line can carry a whole scene.
 std::string shortened(const std::string& message) {
-    constexpr std::size_t most = 260;
+    constexpr std::size_t most = 200;
     return message.size() <= most ? message : message.substr(0, most) + " \xE2\x80\xA6";
 }
 
@@ -56,6 +61,18 @@ bool has_use_for(const Parameter& parameter, const LightOption& light) {
     return light.frame == LightFrame::point || parameter.knob.info.name != "falloff";
 }
 
+void draw_news(const PanelNews& news) {
+    ImGui::Separator();
+    ImGui::TextDisabled("%zu polygons, drawn in %.1f ms", news.polygons, news.picture_milliseconds);
+    ImGui::PushTextWrapPos(0.0f);
+    if (news.message.empty()) {
+        ImGui::TextDisabled("%s", help);
+    } else {
+        ImGui::TextUnformatted(shortened(news.message).c_str());
+    }
+    ImGui::PopTextWrapPos();
+}
+
 }  // namespace
 
 Panel::Panel() : parameters_(window::parameters()) {}
@@ -65,12 +82,13 @@ Panel::Result Panel::draw(WindowState state, const PanelNews& news, int x, int h
     begin_window(x, height);
     draw_arrangements(state);
     draw_views(state);
-    const Wish wish = draw_wishes(news);
+    const Wish wish = draw_wishes();
     ImGui::Separator();
-    ImGui::BeginChild("parameters");
+    ImGui::BeginChild("parameters", {0.0f, -news_height});
     draw_parameters(state, news);
     draw_lights(state, news);
     ImGui::EndChild();
+    draw_news(news);
     ImGui::End();
     return {std::move(state), wish};
 }
@@ -119,7 +137,7 @@ void Panel::draw_views(WindowState& state) {
     explain("Look at all of it, from the usual side (F).");
 }
 
-Wish Panel::draw_wishes(const PanelNews& news) {
+Wish Panel::draw_wishes() {
     Wish wish = Wish::nothing;
     if (draw_button("save picture", "Save picture", Look::plain)) wish = Wish::save_picture;
     ImGui::SameLine();
@@ -127,10 +145,6 @@ Wish Panel::draw_wishes(const PanelNews& news) {
     ImGui::SameLine();
     if (draw_button("copy", "Copy command", Look::plain)) wish = Wish::copy_command_line;
     explain("The command line that draws the picture of this view, to the clipboard.");
-    ImGui::TextDisabled("%zu polygons, drawn in %.1f ms", news.polygons, news.picture_milliseconds);
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(shortened(news.message).c_str());
-    ImGui::PopTextWrapPos();
     return wish;
 }
 

@@ -47,7 +47,7 @@ private:
     void draw_parameters(WindowState& state, const PanelNews& news);
     void draw_lights(WindowState& state, const PanelNews& news);
     void draw_light_buttons(WindowState& state, const PanelNews& news);
-    Wish draw_wishes(const PanelNews& news);
+    Wish draw_wishes();
     bool begin_group(const std::string& group);
     void draw_row(WindowState& state, const Parameter& parameter, const PanelNews& news);
     bool draw_button(const std::string& name, const std::string& label, Look look);

@@ -271,6 +271,7 @@ bool applies(const Parameter& parameter, const SceneOptions& options) {
         return false;
     if (parameter.group == "Textures" && (key == "mapping" || key == "count"))
         return parameter.knob.get(options).has_value();
+    if (key == "ior" && options.material.facets.is_metal()) return false;
     if (key == "light") return !options.environment.image.empty();
     return knows(parameter, options);
 }

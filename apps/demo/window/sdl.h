@@ -13,8 +13,10 @@ class SdlSession {
 public:
     /// Throws std::runtime_error where there is no display.
     SdlSession() {
-        // The rasterizer has drawn all that is dear already; and a driver less can be missing.
+        // What is dear the rasterizer has drawn already. Without OpenGL, which SDL else would take
+        // to bring even these pixels to the screen, there is a driver less to be missing.
         SDL_SetHint(SDL_HINT_RENDER_DRIVER, "software");
+        SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
         if (SDL_Init(SDL_INIT_VIDEO) != 0)
             throw std::runtime_error(std::string("no window: ") + SDL_GetError());
     }
