@@ -39,6 +39,23 @@ TEST(CommandLine, QuotesWhatAShellWouldTake) {
     EXPECT_EQ(arguments_of(options), "cube --material 'kd=0.5,0.25,1 n=7'");
 }
 
+TEST(CommandLine, SaysNothingOfWhatIsNotShown) {
+    SceneOptions options = parse_scene("cube --illumination cook-torrance --roughness 0.3");
+    options.settings.illumination = shading::Illumination::phong;
+    options.settings.shadow_map.size = 64;
+    EXPECT_EQ(arguments_of(options), "cube");
+    options = parse_scene("cube --texture diffuse=wood");
+    options.material.textures[TextureSlot::diffuse].clear();
+    EXPECT_EQ(arguments_of(options), "cube");
+}
+
+TEST(CommandLine, KeepsAMetalsColourForOtherModels) {
+    SceneOptions options = parse_scene("cube --illumination cook-torrance --metal gold");
+    options.settings.illumination = shading::Illumination::phong;
+    EXPECT_EQ(arguments_of(options), "") << "the options refuse it";
+    EXPECT_NE(command_line_of(options).find("metal = \"gold\""), std::string::npos);
+}
+
 TEST(CommandLine, CarriesASceneFileWhereOptionsDoNotTellAll) {
     SceneOptions options = parse_scene("cube");
     options.objects.push_back(options.objects.front());

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "apps/scanlight/scene_options.h"
+#include "apps/scene/parse.h"
 #include "apps/scene/write_scene.h"
 
 namespace scanlight::apps::window {
@@ -75,7 +76,7 @@ TEST(Parameters, ALightThatWasNotSaidCanBeColoured) {
     const auto options = with_value(parse_scene("teapot"), of_light.at(0),
                                     color_value(glm::vec3(1.0f, 0.5f, 0.25f)));
     ASSERT_EQ(options.lights.size(), 1u);
-    EXPECT_EQ(options.lights[0].color, glm::vec3(1.0f, 0.5f, 0.25f));
+    EXPECT_EQ(options.lights[0].color, parse_color("#ffbc89")) << "which a command line can say";
 }
 
 TEST(Parameters, ATextureCanBePutOnAndTakenOff) {

@@ -163,7 +163,7 @@ std::string attempted_arguments(const SceneOptions& options) {
     return text + options_text(environment_keys(), options.environment);
 }
 
-/// What is not drawn: textures that no surface names.
+/// Without textures that no surface names.
 SceneOptions without_idle_textures(SceneOptions options) {
     std::erase_if(options.textures, [&](const TextureOption& texture) {
         const auto is_named = [&](const MaterialOptions& m) {
@@ -178,11 +178,31 @@ SceneOptions without_idle_textures(SceneOptions options) {
     return options;
 }
 
+/// What only models know that draw nothing here. A metal stays: it colours the body too.
+SceneOptions without_idle_facets(SceneOptions options) {
+    const auto models = models_in(options);
+    if (std::ranges::find(models, shading::Illumination::cook_torrance) != models.end())
+        return options;
+    FacetOptions& facets = options.material.facets;
+    facets.roughness.reset();
+    facets.distribution.reset();
+    facets.constant.reset();
+    facets.form.reset();
+    facets.specular_share.reset();
+    return options;
+}
+
+/// The same picture, without what was said of things that it does not show.
+SceneOptions without_idle(SceneOptions options) {
+    if (options.settings.shadows != render::Shadows::map) options.settings.shadow_map = {};
+    return without_idle_facets(without_idle_textures(std::move(options)));
+}
+
 /// Whether the program makes the same picture of them.
 bool say_all(const std::string& arguments, const SceneOptions& options) {
     try {
         return scene_text(without_idle_textures(parse_scene(arguments)), "") ==
-               scene_text(without_idle_textures(options), "");
+               scene_text(options, "");
     } catch (const std::exception&) {
         return false;
     }
@@ -199,8 +219,9 @@ std::string output_of(const SceneOptions& options) {
 
 std::string arguments_of(const SceneOptions& options) {
     if (options.objects.size() != 1) return "";
-    const std::string arguments = attempted_arguments(options);
-    return say_all(arguments, options) ? arguments : "";
+    const SceneOptions shown = without_idle(options);
+    const std::string arguments = attempted_arguments(shown);
+    return say_all(arguments, shown) ? arguments : "";
 }
 
 std::string command_line_of(const SceneOptions& options) {

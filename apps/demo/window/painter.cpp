@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/scanlight/facet_options.h"
 #include "apps/scene/keys.h"
 #include "apps/scene/scene_setup.h"
 #include "apps/scene/write_scene.h"
@@ -32,6 +33,14 @@ std::string unseen_key_of(const SceneOptions& options) {
 /// Whether the fast path draws straight into the window's bytes.
 bool is_plain(const SceneOptions& options) {
     return options.show == Show::light && wireframe_of(options) == Wireframe::none;
+}
+
+/// Throws UsageError for what the command line refuses too.
+void check(const SceneOptions& options) {
+    check_shadows(options);
+    check_size(options);
+    if (options.show == Show::fresnel)
+        require_model("show fresnel", models_in(options), {shading::Illumination::cook_torrance});
 }
 
 Pixels packed(const raster::Plane<raster::Rgba>& colors) {
@@ -66,8 +75,7 @@ Painter::Painter(ModelShelf& shelf, const render::Execution& execution)
 const Pixels& Painter::paint(const SceneOptions& options) {
     std::string wanted = scene_text(options, "");
     if (wanted == drawn_) return pixels_;
-    check_shadows(options);
-    check_size(options);
+    check(options);
     prepare(options);
     draw(options);
     drawn_ = std::move(wanted);

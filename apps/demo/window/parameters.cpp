@@ -5,6 +5,7 @@
 
 #include "apps/demo/window/texture_knobs.h"
 #include "apps/scene/words.h"
+#include "raster/srgb.h"
 
 namespace scanlight::apps::window {
 
@@ -240,6 +241,16 @@ SceneOptions with_said_lights(SceneOptions options, const Parameter& parameter) 
     return options;
 }
 
+/// The nearest colour of bytes: command lines name those of lights so.
+Value in_bytes(const Value& value) {
+    const auto color = color_of(value);
+    if (!color) return value;
+    glm::vec3 nearest;
+    for (int k = 0; k < 3; ++k)
+        nearest[k] = raster::linear_from_srgb(raster::srgb_from_linear((*color)[k]));
+    return color_value(nearest);
+}
+
 }  // namespace
 
 std::vector<Parameter> parameters() {
@@ -295,8 +306,13 @@ SceneOptions with_value(SceneOptions options, const Parameter& parameter, const 
         return options;
     }
     const auto number = number_of(value);
-    const bool is_turned = parameter.turned && number;
-    parameter.knob.set(options, is_turned ? number_value(parameter.turned(*number)) : value);
+    if (parameter.group == "Lights") {
+        parameter.knob.set(options, in_bytes(value));
+    } else if (parameter.turned && number) {
+        parameter.knob.set(options, number_value(parameter.turned(*number)));
+    } else {
+        parameter.knob.set(options, value);
+    }
     return options;
 }
 
