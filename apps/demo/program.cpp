@@ -117,7 +117,10 @@ void add_options(CLI::App& program, Options& options) {
         ->capture_default_str();
     apps::add_means_options(program, options.means);
     program.footer(
+        "Without any of these the window opens, on a mesh, a scene file or the teapot, by the\n"
+        "options of scanlight render.\n"
         "Examples:\n"
+        "  scanlight-demo bunny.obj --shadows zfail\n"
         "  scanlight-demo --list\n"
         "  scanlight-demo --lesson lost-highlight --set level=3 -o lost.png\n"
         "  scanlight-demo --lesson edge-table --frame 120 -o step.png\n"
@@ -162,7 +165,7 @@ bool standard_output_took_all() {
 }  // namespace
 
 int run(int argc, const char* const* argv) {
-    CLI::App program("The course of Scanlight: lessons drawn by the engine itself.",
+    CLI::App program("Scanlight live, and its course: lessons drawn by the engine itself.",
                      "scanlight-demo");
     Options options;
     add_options(program, options);

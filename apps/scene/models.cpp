@@ -131,4 +131,13 @@ Models load_models(const SceneOptions& options) {
     return models;
 }
 
+bool share_models(const SceneOptions& a, const SceneOptions& b) {
+    const auto is_alike = [&](const ObjectOptions& x, const ObjectOptions& y) {
+        return source_of(x, a).key() == source_of(y, b).key() &&
+               matrix_of(x.placement) == matrix_of(y.placement);
+    };
+    return a.floor == b.floor && a.own_textures == b.own_textures &&
+           std::ranges::equal(a.objects, b.objects, is_alike);
+}
+
 }  // namespace scanlight::apps

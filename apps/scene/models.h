@@ -43,4 +43,7 @@ inline constexpr std::size_t most_faces_of_many = std::size_t{1} << 24;
 /// Throws UsageError or FileError, which name the place in the scene file where there is one.
 Models load_models(const SceneOptions& options);
 
+/// Whether pictures of both can be drawn of the same models.
+bool share_models(const SceneOptions& a, const SceneOptions& b);
+
 }  // namespace scanlight::apps

@@ -45,6 +45,11 @@ void add_texture(SceneOptions& options, TextureSlot slot, TextureOption texture)
     options.textures.push_back(std::move(texture));
 }
 
+std::vector<LightOption> lights_in(const SceneOptions& options) {
+    const LightOption from_the_upper_left{LightFrame::camera, glm::dvec3(-0.7, 0.7, 1.0)};
+    return options.lights.empty() ? std::vector{from_the_upper_left} : options.lights;
+}
+
 std::vector<shading::Illumination> models_in(const SceneOptions& options) {
     std::vector<shading::Illumination> models;
     for (const ObjectOptions& object : options.objects)

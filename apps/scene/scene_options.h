@@ -118,6 +118,9 @@ render::Shadows volumes_for(const std::string& what, const SceneOptions& options
 /// Puts a texture on all objects, whatever was on them.
 void add_texture(SceneOptions& options, TextureSlot slot, TextureOption texture);
 
+/// The lights of the picture: those that are given, or one from the upper left.
+std::vector<LightOption> lights_in(const SceneOptions& options);
+
 /// The illumination models by which objects are drawn.
 std::vector<shading::Illumination> models_in(const SceneOptions& options);
 

@@ -169,12 +169,9 @@ shading::Light<float> light_of(const LightOption& option, const render::Camera& 
 }
 
 shading::Lighting<float> lighting_of(const render::Camera& camera, const SceneOptions& options) {
-    const LightOption from_the_upper_left{LightFrame::camera, glm::dvec3(-0.7, 0.7, 1.0)};
-    const auto& lights = options.lights;
     shading::Lighting<float> lighting{options.ambient, {}};
-    for (const auto& light : lights.empty() ? std::vector{from_the_upper_left} : lights) {
+    for (const LightOption& light : lights_in(options))
         lighting.lights.push_back(light_of(light, camera, options.falloff_k));
-    }
     return lighting;
 }
 

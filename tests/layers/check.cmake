@@ -18,7 +18,7 @@ set(tests_may_include   mesh shading raster render apps tests)
 
 # A library, and the files that may include it. OpenMesh stays behind `mesh`, so that whoever draws
 # sees plain arrays; tests and benchmarks may compare themselves with what they please.
-set(libraries OpenMesh stb png jpeglib gif_lib libdeflate polyclipping CLI nlohmann toml++ gtest benchmark tiny_obj_loader)
+set(libraries OpenMesh stb png jpeglib gif_lib libdeflate polyclipping CLI nlohmann toml++ gtest benchmark tiny_obj_loader SDL imgui)
 set(OpenMesh_seen_by        "^(mesh|tests|apps/bench)/")
 set(stb_seen_by             "^(raster/.*\\.cpp$|tests/)")
 set(png_seen_by             "^(raster/.*\\.cpp$|tests/)")
@@ -32,6 +32,8 @@ set(toml++_seen_by          "^apps/scene/.*\\.cpp$")
 set(gtest_seen_by           "^tests/")
 set(benchmark_seen_by       "^apps/bench/")
 set(tiny_obj_loader_seen_by "^(tests|apps/bench)/")
+set(SDL_seen_by             "^apps/demo/window/")
+set(imgui_seen_by           "^apps/demo/window/.*\\.cpp$")
 
 set(include_line "^[ \t]*#[ \t]*include[ \t]*[\"<]([^\">]+)[\">]")
 

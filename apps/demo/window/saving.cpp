@@ -1,0 +1,47 @@
+#include "apps/demo/window/saving.h"
+
+#include <filesystem>
+
+#include "apps/scene/write_scene.h"
+#include "raster/save_file.h"
+#include "raster/save_image.h"
+
+namespace scanlight::apps::window {
+
+namespace {
+
+/// "teapot" of "shape:teapot", "torus" of "torus:48,24", "bunny" of "meshes/bunny.obj".
+std::string stem_of(const SceneOptions& options) {
+    std::string input = options.input;
+    for (const std::string prefix : {"shape:", "scene:"}) {
+        if (input.starts_with(prefix)) input = input.substr(prefix.size());
+    }
+    const std::string stem = std::filesystem::path(input).stem().string();
+    const std::string name = stem.substr(0, stem.find(':'));
+    return name.empty() || name == "-" ? "scanlight" : name;
+}
+
+}  // namespace
+
+std::string free_path(const SceneOptions& options, const std::string& ending) {
+    const std::string stem = stem_of(options);
+    std::string path = stem + ending;
+    for (int i = 2; std::filesystem::exists(path); ++i)
+        path = stem + "-" + std::to_string(i) + ending;
+    return path;
+}
+
+std::string save_picture(const Pixels& pixels, const SceneOptions& options) {
+    const std::string path = free_path(options, ".png");
+    const auto alpha = options.background ? raster::Alpha::dropped : raster::Alpha::kept;
+    raster::save_image(path, image_of(pixels, alpha));
+    return "saved " + path;
+}
+
+std::string save_scene(const SceneOptions& options) {
+    const std::string path = free_path(options, ".toml");
+    raster::save_file(path, scene_text(options, ""));
+    return "saved " + path;
+}
+
+}  // namespace scanlight::apps::window

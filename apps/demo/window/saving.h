@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "apps/demo/window/painter.h"
+
+namespace scanlight::apps::window {
+
+/// A file beside which the program runs, named for what is shown, that is not there yet:
+/// "teapot.png", "teapot-2.png". `ending` is ".png".
+std::string free_path(const SceneOptions& options, const std::string& ending);
+
+// Each returns what was done, for a person. Throws ImageError or UsageError.
+
+std::string save_picture(const Pixels& pixels, const SceneOptions& options);
+std::string save_scene(const SceneOptions& options);
+
+}  // namespace scanlight::apps::window

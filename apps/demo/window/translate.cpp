@@ -1,0 +1,63 @@
+#include "apps/demo/window/translate.h"
+
+#include <SDL.h>
+
+namespace scanlight::apps::window {
+
+namespace {
+
+bool is_on_canvas(Point p, const WindowState& state) {
+    return p.x >= 0.0 && p.y >= 0.0 && p.x < state.canvas.width && p.y < state.canvas.height;
+}
+
+bool drags(const WindowState& state) {
+    return !std::holds_alternative<std::monostate>(state.drag);
+}
+
+Button button_of(Uint8 sdl_button) {
+    if (sdl_button == SDL_BUTTON_LEFT) return Button::left;
+    return sdl_button == SDL_BUTTON_MIDDLE ? Button::middle : Button::right;
+}
+
+Event moved(const SDL_MouseMotionEvent& motion, const WindowState& state) {
+    const Point to{static_cast<double>(motion.x), static_cast<double>(motion.y)};
+    if (drags(state) || is_on_canvas(to, state)) return Move{to};
+    return Leave{};
+}
+
+std::optional<Event> pressed(const SDL_MouseButtonEvent& button, const WindowState& state) {
+    const Point at{static_cast<double>(button.x), static_cast<double>(button.y)};
+    if (!is_on_canvas(at, state)) return std::nullopt;
+    const bool is_shifted = (SDL_GetModState() & KMOD_SHIFT) != 0;
+    return Press{at, button_of(button.button), is_shifted};
+}
+
+std::optional<Event> typed(const SDL_KeyboardEvent& key) {
+    const SDL_Keycode code = key.keysym.sym;
+    if ((key.keysym.mod & (KMOD_CTRL | KMOD_ALT | KMOD_GUI)) != 0) return std::nullopt;
+    if (code == SDLK_TAB) return Key{'\t'};
+    if (code < ' ' || code > '~') return std::nullopt;
+    return Key{static_cast<char>(code)};
+}
+
+}  // namespace
+
+std::optional<Event> translated(const SDL_Event& event, const WindowState& state) {
+    switch (event.type) {
+        case SDL_MOUSEMOTION:
+            return moved(event.motion, state);
+        case SDL_MOUSEBUTTONDOWN:
+            return pressed(event.button, state);
+        case SDL_MOUSEBUTTONUP:
+            return Release{};
+        case SDL_MOUSEWHEEL:
+            if (!state.mouse) return std::nullopt;
+            return Wheel{static_cast<double>(event.wheel.y)};
+        case SDL_KEYDOWN:
+            return typed(event.key);
+        default:
+            return std::nullopt;
+    }
+}
+
+}  // namespace scanlight::apps::window

@@ -1,0 +1,118 @@
+#!/usr/bin/env bash
+# A real window under Xvfb, driven by xdotool's mouse and keys. What it saves in the end is held against
+# what the command line draws of the scene file it saves beside.
+#     drive.sh FOLDER_OF_PROGRAMS
+set -euo pipefail
+
+programs=$(realpath "$1")
+folder=$(mktemp -d)
+cd "$folder"
+readonly width=800 height=600
+options=(teapot --size "${width}x$height")
+
+pids=()
+finish() {
+    local pid
+    for pid in "${pids[@]}"; do kill "$pid" 2>/dev/null || true; done
+    rm -rf "$folder"
+}
+trap finish EXIT
+
+fail() { echo "drive: $*" >&2; exit 1; }
+
+# ---- the screen
+
+exec {display}<> <(:)
+Xvfb -displayfd "$display" -screen 0 1400x900x24 -nolisten tcp 2>/dev/null &
+pids+=($!)
+read -r -t 20 -u "$display" number || fail "Xvfb does not start"
+export DISPLAY=:$number SDL_VIDEODRIVER=x11
+
+# ---- where the controls stand
+
+declare -A places
+while read -r name x y w h; do places[$name]="$x $y $w $h"; done \
+    < <("$programs/scanlight-demo" "${options[@]}" --controls)
+((${#places[@]} > 20)) || fail "no controls"
+
+"$programs/scanlight-demo" "${options[@]}" &
+demo=$!
+pids+=("$demo")
+window=$(timeout 20 xdotool search --sync --onlyvisible --name '^Scanlight$' | head -n 1)
+[[ -n $window ]] || fail "no window"
+sleep 1
+
+# ---- hands
+
+move() { xdotool mousemove --window "$window" "$1" "$2"; sleep 0.15; }
+click() { move "$1" "$2"; xdotool mousedown 1; sleep 0.1; xdotool mouseup 1; sleep 0.2; }
+drag() { # X Y TO_X TO_Y
+    move "$1" "$2"
+    xdotool mousedown 1
+    sleep 0.15
+    move $((($1 + $3) / 2)) $((($2 + $4) / 2))
+    move "$3" "$4"
+    xdotool mouseup 1
+    sleep 0.2
+}
+key() { xdotool key --window "$window" "$1"; sleep 0.3; }
+
+press() { # CONTROL
+    local x y w h
+    read -r x y w h <<<"${places[$1]}"
+    click $((x + w / 2)) $((y + h / 2))
+}
+slide() { # CONTROL FROM_PERCENT TO_PERCENT
+    local x y w h
+    read -r x y w h <<<"${places[$1]}"
+    drag $((x + w * $2 / 100)) $((y + h / 2)) $((x + w * $3 / 100)) $((y + h / 2))
+}
+choose() { # CONTROL NUMBER_OF_WORD
+    local x y w h
+    read -r x y w h <<<"${places[$1]}"
+    press "$1"
+    click $((x + 30)) $((y + h + 14 + 20 * $2))
+}
+
+saved=0
+expect() { # WHAT WORDS...: that the scene file saved now has all these words, and the picture is its
+    local what=$1 name=teapot word
+    shift
+    ((++saved == 1)) || name=teapot-$saved
+    press save-picture
+    press save-scene
+    [[ -s $name.png && -s $name.toml ]] || fail "$what: nothing saved"
+    for word; do
+        grep -q -- "$word" "$name.toml" || fail "$what: no '$word' in: $(cat "$name.toml")"
+    done
+    "$programs/scanlight" render "$name.toml" -o expected.png --quiet
+    "$programs/scanlight" diff "$name.png" expected.png >/dev/null || fail "$what: another picture"
+    echo "drive: $what"
+}
+
+# ---- the play
+
+expect "as it opens" 'shape = "teapot"'
+drag 100 500 180 470
+expect "turned by the mouse" 'eye = \['
+move 300 300
+xdotool click --window "$window" --repeat 3 --delay 100 4
+sleep 0.3
+expect "larger by the wheel" 'zoom = 1.331'
+choose shading 1
+expect "another shading" 'shading = "gouraud"'
+choose illumination 3
+slide exponent 50 70
+expect "another model and exponent" 'illumination = "blinn"' '^n = '
+key 3
+drag 400 550 250 550
+expect "the divider dragged" 'size = \[250, 600\]'
+key 1
+key f
+expect "framed by a key" 'size = \[800, 600\]'
+! grep -q 'eye' "teapot-$saved.toml" || fail "framed: the eye is still there"
+
+# The system's wish to end is heard as the window's own.
+kill -TERM "$demo"
+wait "$demo" || fail "the window ends with an error"
+echo "drive: $saved pictures, each the command line's"
