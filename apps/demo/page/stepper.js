@@ -63,10 +63,10 @@ class Stepper {
     const hint = document.createElement("p");
     hint.textContent = this.texts.say("steps-keys");
     const left = document.createElement("div");
-    left.append(this.stage, this.slider(), this.buttons(), hint);
-    const right = document.createElement("div");
     this.code = document.createElement("div");
-    right.append(this.says, this.tables, this.code);
+    left.append(this.stage, this.slider(), this.buttons(), hint, this.code);
+    const right = document.createElement("div");
+    right.append(this.says, this.tables);
     root.append(left, right);
     this.render();
     return root;
