@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/demo/base64.h"
+#include "apps/demo/code_at_work.h"
 #include "apps/demo/embedded.h"
 #include "apps/demo/lesson.h"
 #include "apps/demo/plot_svg.h"
@@ -90,6 +91,18 @@ std::string kind_word(WalkStep::Kind kind) {
             break;
     }
     return "pixel";
+}
+
+/// By the kind of step.
+Json code_json() {
+    Json code = Json::object();
+    using Kind = WalkStep::Kind;
+    for (const Kind kind : {Kind::edge, Kind::scanline, Kind::pixel}) {
+        const Excerpt excerpt = code_at_work(kind);
+        code[kind_word(kind)] = {
+            {"file", excerpt.file}, {"lines", excerpt.lines}, {"at_work", excerpt.at_work}};
+    }
+    return code;
 }
 
 /// The recorded trace, and the order in which a person steps through it.
@@ -216,7 +229,10 @@ std::string course_page(const std::vector<Lesson>& lessons, const PageOptions& o
         all.push_back(lesson_json(lesson, options, pictures));
     }
     const std::string language = options.language == Language::english ? "en" : "zh";
-    const Json data{{"lessons", all}, {"texts", texts_json()}, {"pictures", pictures.urls()}};
+    const Json data{{"lessons", all},
+                    {"texts", texts_json()},
+                    {"code", code_json()},
+                    {"pictures", pictures.urls()}};
     return filled(embedded::index, {{"language", language},
                                     {"style", std::string(embedded::style)},
                                     {"data", in_script(data)},

@@ -95,6 +95,12 @@ async function useStepper(tab) {
     for (let i = 0; i < 3; ++i) await tab.keyboard.press(back);
     expect((await grid()) === before, `edge-table: ${back} steps back`);
   }
+  const work = () => tab.$$eval(".stepper pre mark", (marks) => marks.map((mark) => mark.textContent).join());
+  await tab.focus(".stepper .picture");
+  await tab.keyboard.press("Home");
+  expect((await work()).includes("table.build"), "edge-table: the code at work fills the table");
+  await tab.keyboard.press("ArrowDown");
+  expect((await work()).includes("active.admit"), "edge-table: the code at work admits edges");
   const before = await grid();
   await tab.click('[data-step="next-step"]');
   expect((await grid()) !== before, "edge-table: the button steps");
@@ -112,7 +118,7 @@ async function useLesson(tab, lesson) {
   await tab.waitForFunction((name) => location.hash.startsWith("#" + name), {}, lesson);
   if (lesson === "edge-table") await useStepper(tab);
   expect((await tab.$$("#lesson math")).length === 1, `${lesson}: has a formula`);
-  expect(await tab.$eval("#lesson pre", (pre) => pre.textContent.startsWith("scanlight ")), `${lesson}: has its command`);
+  expect(await tab.$eval("details:not(.answer) pre", (pre) => pre.textContent.startsWith("scanlight ")), `${lesson}: has its command`);
   await useControls(tab, lesson);
   await useWipe(tab, lesson);
   await tab.click(".answer summary");

@@ -75,7 +75,7 @@ Lesson lost_highlight_lesson() {
     return {"lost-highlight",
             {{"level", "", Slider{0, most_levels, most_levels + 1, 1}},
              {"n", "n", Slider{10, 90, 3, 50}},
-             {"light", "", Slider{-40, 40, 5, -20}}},
+             {"light", "", Slider{-20, 20, 3, -20}}},
             {{"render/gouraud.h", "GouraudTechnique"},
              {"render/phong.h", "PhongTechnique"},
              {"shading/phong.h", "phong"}},

@@ -20,7 +20,7 @@ namespace {
 
 // The eye's way into the shadow of a cube, along its view.
 constexpr glm::dvec3 outside{3.6, 0.6, -3.4};
-constexpr glm::dvec3 inside{1.4, -0.2, -3.0};
+constexpr glm::dvec3 inside{1.0, -0.4, -3.0};
 
 const std::string light = " --light point:-1,3,2.5";
 

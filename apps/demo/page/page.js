@@ -217,11 +217,19 @@ function command(panel) {
 
 // ---- the stepped lesson
 
+// The engine's own source, with the lines at work marked.
+function code(kind) {
+  const { file, lines, at_work: atWork } = course.code[kind];
+  const text = element("pre", { tabIndex: 0, role: "region", "aria-label": file });
+  lines.forEach((line, i) => text.append(element(atWork.includes(i) ? "mark" : "span", {}, line), "\n"));
+  return [element("h3", {}, `${pageWord("code-head")} (${file})`), text];
+}
+
 function stepper(lesson, screen) {
   const holder = element("div");
   const image = new Image();
   image.onload = () => {
-    const said = { say: pageWord, table: (key, ...rest) => table(pageWord(key), ...rest) };
+    const said = { say: pageWord, table: (key, ...rest) => table(pageWord(key), ...rest), code };
     const made = new Stepper(screen.steps, image, said, state.step, (step) => {
       state.step = step;
       remember();

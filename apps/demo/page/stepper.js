@@ -12,7 +12,7 @@ function svgElement(name, attributes) {
 
 class Stepper {
   // `image` is what the steps led to. `texts` has say(key, ...values) and table(key, columns, rows,
-  // now); `moved(step)` is told of each step.
+  // now) and code(kind); `moved(step)` is told of each step.
   constructor({ polygon, names, walk }, image, texts, start, moved) {
     Object.assign(this, { polygon, names, walk, image, texts, moved });
     this.step = Math.min(start, this.walk.length - 1);
@@ -63,7 +63,8 @@ class Stepper {
     const hint = document.createElement("p");
     hint.textContent = this.texts.say("steps-keys");
     const left = document.createElement("div");
-    left.append(this.stage, this.slider(), this.buttons(), hint);
+    this.code = document.createElement("div");
+    left.append(this.stage, this.slider(), this.buttons(), hint, this.code);
     const right = document.createElement("div");
     right.append(this.says, this.tables);
     root.append(left, right);
@@ -120,6 +121,7 @@ class Stepper {
     this.stage.replaceChildren(this.grid());
     this.says.textContent = this.sentence();
     this.tables.replaceChildren(...this.allTables());
+    this.code.replaceChildren(...this.texts.code(this.now().kind));
   }
 
   now() {
