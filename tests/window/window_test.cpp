@@ -259,6 +259,14 @@ TEST_F(LiveWindow, ADifferenceHasTheNumbersOfDiff) {
 
 // ---- the rest
 
+TEST_F(LiveWindow, ABuiltInShapeIsChosen) {
+    Person person("teapot --shading flat");
+    person.choose("shape", 1);
+    EXPECT_NE(person.state().current().objects.at(0).input, "teapot");
+    EXPECT_EQ(person.state().current().settings.shading, render::Shading::flat);
+    expect_as_by_command_line(person, View::left);
+}
+
 TEST_F(LiveWindow, AFileIsTakenByDrop) {
     Person person("teapot");
     person.drop(SCANLIGHT_TESTS_DIR "/data/crate.obj");
