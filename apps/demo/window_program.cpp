@@ -3,36 +3,16 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <string>
 
-#include "apps/demo/window/run_window.h"
-#include "apps/scanlight/scene_options.h"
-#include "apps/scene/read_scene.h"
+#include "apps/demo/window/window_options.h"
 
 namespace scanlight::demo {
 
 namespace {
 
-using apps::window::WindowOptions;
-
-constexpr raster::Viewport usual_canvas{960, 720};
-
-void add_options(CLI::App& program, WindowOptions& options) {
-    apps::add_scene_options(program, options.scene);
-    apps::add_canvas_options(program, options.scene);
-    program.get_option("input")->required(false);
-    program
-        .add_option("--measure", options.measured_frames,
-                    "turn the picture by so many frames, print how long they took, and end")
-        ->type_name("FRAMES")
-        ->check(CLI::Range(1, 100000));
-    program.add_option("--snapshot", options.snapshot, "save a picture of the window, and end")
-        ->type_name("PNG");
-    program.add_flag("--controls", options.lists_controls,
-                     "print where each control of the window stands, for scripts, and end");
-}
-
-int report(const std::exception& error) {
-    std::fprintf(stderr, "scanlight-demo: %s\n", error.what());
+int report(const std::string& message) {
+    std::fprintf(stderr, "scanlight-demo: %s\n", message.c_str());
     return 2;
 }
 
@@ -40,15 +20,15 @@ int report(const std::exception& error) {
 
 int run_window_program(int argc, const char* const* argv) {
     CLI::App program("Scanlight's live window.", "scanlight-demo");
-    WindowOptions options;
-    options.scene.size = usual_canvas;
-    add_options(program, options);
+    apps::window::WindowOptions options;
+    apps::window::add_window_options(program, options);
     try {
         program.parse(argc, argv);
-        if (options.scene.objects.empty()) apps::set_input(options.scene, "teapot");
-        return apps::window::run_window(options);
+        return apps::window::run_window(apps::window::completed(options));
+    } catch (const CLI::ParseError& error) {
+        return report(std::string(error.what()) + "; see scanlight-demo --help");
     } catch (const std::exception& error) {
-        return report(error);
+        return report(error.what());
     }
 }
 

@@ -218,6 +218,32 @@ TEST_F(LiveWindow, ALightIsDraggedInThePicture) {
     expect_as_by_command_line(person, View::left);
 }
 
+TEST_F(LiveWindow, ALampIsAddedAndColoured) {
+    Person person("teapot --floor --shadows zfail");
+    person.wheel({700, 500}, -60);
+    person.click_on("add lamp");
+    ASSERT_EQ(person.state().current().lights.size(), 2u);
+    EXPECT_EQ(person.state().current().lights[1].frame, LightFrame::point);
+    person.slide("light 2", 0.8, 0.3);
+    EXPECT_LT(person.state().current().lights[1].color.r, 0.7f);
+    expect_as_by_command_line(person, View::left);
+    person.wheel({700, 500}, -60);  // the list is longer now
+    keep(person, "lamp");
+    person.click_on("remove light");
+    EXPECT_EQ(person.state().current().lights.size(), 1u);
+}
+
+TEST_F(LiveWindow, TexturesArePutOnWhileItRuns) {
+    Person person("teapot");
+    person.wheel({700, 500}, -60);
+    person.click_on("Textures");
+    person.wheel({700, 500}, -60);
+    person.choose("diffuse texture", 6);
+    EXPECT_EQ(person.state().current().textures.size(), 1u);
+    expect_as_by_command_line(person, View::left);
+    keep(person, "texture");
+}
+
 // ---- two views
 
 TEST_F(LiveWindow, TwoViewsKeepTheirOwnSettings) {
@@ -258,6 +284,14 @@ TEST_F(LiveWindow, ADifferenceHasTheNumbersOfDiff) {
 }
 
 // ---- the rest
+
+TEST_F(LiveWindow, ABuiltInShapeIsChosen) {
+    Person person("teapot --shading flat");
+    person.choose("shape", 1);
+    EXPECT_NE(person.state().current().objects.at(0).input, "teapot");
+    EXPECT_EQ(person.state().current().settings.shading, render::Shading::flat);
+    expect_as_by_command_line(person, View::left);
+}
 
 TEST_F(LiveWindow, AFileIsTakenByDrop) {
     Person person("teapot");

@@ -2,12 +2,12 @@
 
 #include <imgui.h>
 
-#include <array>
-#include <cstdio>
+#include <filesystem>
 #include <utility>
 
 #include "apps/demo/window/control.h"
 #include "apps/demo/window/light_handles.h"
+#include "mesh/shapes.h"
 
 namespace scanlight::apps::window {
 
@@ -75,13 +75,17 @@ void draw_news(const PanelNews& news) {
 
 }  // namespace
 
-Panel::Panel() : parameters_(window::parameters()) {}
+Panel::Panel() : parameters_(window::parameters()) {
+    for (const mesh::ShapeInfo& shape : mesh::list_shapes())
+        shapes_.push_back(shape.name);
+}
 
 Panel::Result Panel::draw(WindowState state, const PanelNews& news, int x, int height) {
     places_.clear();
     begin_window(x, height);
     draw_arrangements(state);
     draw_views(state);
+    draw_shapes(state);
     const Wish wish = draw_wishes();
     ImGui::Separator();
     ImGui::BeginChild("parameters", {0.0f, -news_height});
@@ -131,6 +135,21 @@ void Panel::draw_views(WindowState& state) {
     const std::string alike = state.chosen == View::left ? "B as A" : "A as B";
     if (draw_button("alike", alike, Look::plain)) state = with_other_alike(std::move(state));
     explain("The other view takes over all settings of this one.");
+}
+
+void Panel::draw_shapes(WindowState& state) {
+    const std::string input = std::filesystem::path(state.current().input).filename().string();
+    ImGui::SetNextItemWidth(190.0f);
+    const bool is_open = ImGui::BeginCombo("##shape", input.c_str());
+    note_place("shape");
+    if (is_open) {
+        for (const std::string& shape : shapes_) {
+            if (ImGui::Selectable(shape.c_str(), shape == input))
+                state = with_input(std::move(state), "shape:" + shape);
+        }
+        ImGui::EndCombo();
+    }
+    explain("A built-in shape. Files are dropped into the window.");
     ImGui::SameLine();
     if (draw_button("frame", "Frame", Look::plain))
         state = framed(std::move(state), render::ViewAngles{});

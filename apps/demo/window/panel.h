@@ -44,6 +44,7 @@ private:
 
     void draw_arrangements(WindowState& state);
     void draw_views(WindowState& state);
+    void draw_shapes(WindowState& state);
     void draw_parameters(WindowState& state, const PanelNews& news);
     void draw_lights(WindowState& state, const PanelNews& news);
     void draw_light_buttons(WindowState& state, const PanelNews& news);
@@ -53,6 +54,7 @@ private:
     bool draw_button(const std::string& name, const std::string& label, Look look);
     void note_place(const std::string& name);
 
+    std::vector<std::string> shapes_;
     std::vector<Parameter> parameters_;
     std::vector<std::vector<Parameter>> of_lights_;
     std::map<std::string, Box> places_;

@@ -2,9 +2,11 @@
 
 #include <SDL.h>
 
+#include <cstdlib>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace scanlight::apps::window {
 
@@ -19,10 +21,22 @@ public:
         SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
         if (SDL_Init(SDL_INIT_VIDEO) != 0)
             throw std::runtime_error(std::string("no window: ") + SDL_GetError());
+        if (!is_seen()) {
+            SDL_Quit();
+            throw std::runtime_error("no window: there is no display");
+        }
     }
     ~SdlSession() { SDL_Quit(); }
     SdlSession(const SdlSession&) = delete;
     SdlSession& operator=(const SdlSession&) = delete;
+
+private:
+    /// Without a display SDL opens windows that no one sees; that is for those who ask for it.
+    static bool is_seen() {
+        const std::string_view driver = SDL_GetCurrentVideoDriver();
+        const bool is_asked_for = std::getenv("SDL_VIDEODRIVER") != nullptr;
+        return is_asked_for || (driver != "offscreen" && driver != "dummy");
+    }
 };
 
 /// What SDL made, and how it is given back.

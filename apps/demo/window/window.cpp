@@ -8,6 +8,7 @@
 
 #include "apps/demo/window/command_line.h"
 #include "apps/demo/window/events.h"
+#include "apps/demo/window/round.h"
 #include "apps/demo/window/saving.h"
 #include "apps/demo/window/translate.h"
 #include "apps/scene/stopwatch.h"
@@ -183,7 +184,8 @@ PanelNews Window::news() const {
     if (!objects.empty() && !objects.front().materials.empty())
         news.material = objects.front().materials.front();
     const mesh::Box& box = shown.models().box;
-    news.lamp = box.center() + box.size() * glm::dvec3(0.4, 0.9, 0.6);
+    const double size = std::max({box.size().x, box.size().y, box.size().z, 1e-12});
+    news.lamp = rounded(box.center() + box.size() * glm::dvec3(0.4, 0.9, 0.6), size, 3);
     return news;
 }
 
