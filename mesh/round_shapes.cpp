@@ -83,6 +83,14 @@ std::uint32_t add_end_uv(PolygonSoup& soup, const Direction& d) {
     return static_cast<std::uint32_t>(soup.uvs.size() - 1);
 }
 
+/// Of waves in a direction, 0 to 1: 8 turns of a cosine around the y axis, and 8 from pole to pole.
+double wave_height(const glm::dvec3& direction) {
+    const double azimuth = angle_of(direction.x, direction.z);
+    const double across = std::sqrt(direction.x * direction.x + direction.z * direction.z);
+    const double elevation = angle_of(direction.y, across);  // below the horizon a turn more
+    return 0.5 + 0.5 * cosine(8.0 * azimuth) * cosine(16.0 * elevation);
+}
+
 }  // namespace
 
 PolygonSoup icosphere(std::uint32_t level) {
@@ -117,6 +125,13 @@ PolygonSoup uv_sphere(std::uint32_t slices, std::uint32_t stacks) {
                                            : 1 + (stack - 1) * slices + slice % slices;
         return Corner{.position = position, .uv = stack * (slices + 1) + slice};
     });
+    return soup;
+}
+
+PolygonSoup wavy_sphere(std::uint32_t slices, std::uint32_t stacks) {
+    PolygonSoup soup = uv_sphere(slices, stacks);
+    for (glm::vec3& p : soup.positions)
+        p *= static_cast<float>(1.0 + 0.03 * wave_height(glm::dvec3(p)));
     return soup;
 }
 

@@ -15,6 +15,10 @@ PolygonSoup icosphere(std::uint32_t level);
 /// The unit sphere in slices and stacks: quads, triangles at the poles. With uv.
 PolygonSoup uv_sphere(std::uint32_t slices, std::uint32_t stacks);
 
+/// The same sphere with waves on it, up to 0.03 high: those of the texture of that name, 8 of them
+/// round a spherical mapping about the y axis. With uv.
+PolygonSoup wavy_sphere(std::uint32_t slices, std::uint32_t stacks);
+
 /// Around the y axis; radius 0.7 to the middle of the tube, which has radius 0.3. With uv.
 PolygonSoup torus(std::uint32_t segments, std::uint32_t sides);
 

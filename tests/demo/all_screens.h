@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <ostream>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "apps/demo/lesson.h"
@@ -17,11 +18,18 @@ inline constexpr raster::Viewport small_panel{120, 90};
 /// For many small pictures threads are more work than they do.
 inline const apps::Means one_thread{apps::DrawPath::fast, {1, {}}};
 
-/// Where the controls start, and each at its first and last stop with the others at their start.
+/// Of a choice every word, of a slider both ends.
+inline std::vector<double> telling_stops(const Control& control) {
+    const auto stops = stops_of(control);
+    if (std::holds_alternative<Choice>(control.kind)) return stops;
+    return {stops.front(), stops.back()};
+}
+
+/// Where the controls start, and each at its telling stops with the others at their start.
 inline std::vector<Settings> ends_of_controls(const Lesson& lesson) {
     std::vector<Settings> all{starting_settings(lesson)};
     for (const Control& control : lesson.controls) {
-        for (const double stop : {stops_of(control).front(), stops_of(control).back()}) {
+        for (const double stop : telling_stops(control)) {
             all.push_back(starting_settings(lesson));
             all.back()[control.name] = stop;
         }

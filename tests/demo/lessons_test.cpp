@@ -241,6 +241,7 @@ TEST(Mappings, BumpsLeaveTheOutline) {
     const Screen screen = drawn("mappings", {"surface=bump", "mapping=spherical"});
     EXPECT_EQ(number_of(screen, "covered-plain"), number_of(screen, "covered-textured"));
     EXPECT_GT(number_of(screen, "changed"), 100.0);
+    EXPECT_GT(number_of(screen, "covered-displaced"), number_of(screen, "covered-textured"));
 }
 
 // ---- the walk

@@ -13,15 +13,19 @@ namespace {
 const std::vector<std::string> surfaces{"checker", "wood", "bump", "environment"};
 const std::vector<std::string> mappings{"planar", "cylindrical", "spherical"};
 
+/// The two spheres are seen from one place, so that their pixels can be counted.
+const std::string place = " --eye 1.84,1.71,3.18 --target 0,0,0";
+
 struct Body {
     std::string key;
     std::string shape;
+    std::string seen = " --view 30,25";
 };
 const std::vector<Body> bodies{
-    {"cube", "cube"}, {"cylinder", "cylinder:48"}, {"sphere", "sphere:48,24"}};
+    {"cube", "cube"}, {"cylinder", "cylinder:48"}, {"sphere", "sphere:48,24", place}};
 
 std::string plain_arguments(const Body& body) {
-    return body.shape + " --view 30,25";
+    return body.shape + body.seen;
 }
 
 std::string look_of(const std::string& surface, const std::string& mapping) {
@@ -33,6 +37,9 @@ std::string look_of(const std::string& surface, const std::string& mapping) {
         return " --texture \"bump=waves count=8 height=0.03 mapping=" + mapping + "\"";
     return " --environment room --material \"kd=0.05 mirror=0.8\"";
 }
+
+/// The sphere whose points are moved by as much as the bumps say.
+const std::string displaced = "wavy-sphere:512,256" + place;
 
 int covered_pixels(const raster::Plane<raster::Depth>& depth) {
     int count = 0;
@@ -58,6 +65,17 @@ std::vector<Number> numbers_of(const Stage& plain, const Stage& dressed) {
             {"changed", static_cast<double>(changed), 0, "px"}};
 }
 
+bool has_bumps(const Settings& settings) {
+    return surfaces[static_cast<std::size_t>(settings.at("surface"))] == "bump";
+}
+
+/// Beside the bumps, what they pretend.
+void add_displaced(Screen& screen, raster::Viewport size, const apps::Means& means) {
+    screen.panels.push_back(panel_of("displaced", displaced, size, means));
+    const int covered = covered_pixels(Stage(displaced, size).framebuffer().depth);
+    screen.numbers.push_back({"covered-displaced", static_cast<double>(covered), 0, "px"});
+}
+
 Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& means) {
     const std::string look = look_of(surfaces[static_cast<std::size_t>(settings.at("surface"))],
                                      mappings[static_cast<std::size_t>(settings.at("mapping"))]);
@@ -67,6 +85,7 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
     const Body& sphere = bodies.back();
     screen.numbers = numbers_of(Stage(plain_arguments(sphere), size),
                                 Stage(plain_arguments(sphere) + look, size));
+    if (has_bumps(settings)) add_displaced(screen, size, means);
     return screen;
 }
 
