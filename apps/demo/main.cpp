@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view course_words[] = {"--list", "--lesson", "--export",
                                              "--help", "-h",       "--version"};
 
-bool is_of_the_course(std::string_view word) {
+[[maybe_unused]] bool is_of_the_course(std::string_view word) {
     return std::ranges::find(course_words, word.substr(0, word.find('='))) !=
            std::end(course_words);
 }

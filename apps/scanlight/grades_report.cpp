@@ -42,7 +42,7 @@ Json json_of(const Grade& grade, const GradingRule& rule) {
 
 std::string grades_text(const std::vector<CandidateGrades>& all, const GradingRule& rule) {
     TextTable table({"candidate", "picture", "points", "", "remark"});
-    for (const std::size_t words : {0, 1, 4})
+    for (const std::size_t words : {0u, 1u, 4u})
         table.align_left(words);
     for (const CandidateGrades& candidate : all)
         add_rows(table, candidate, rule);
