@@ -149,7 +149,7 @@ void draw_detail_outlines(const Scene& scene, std::span<const DetailPolygon> det
         for (const Corners& outline : detail.outlines) {
             const auto polygon = in_clip_space(outline, frame);
             for_each_edge(polygon, frame.viewport, [&](const auto& a, const auto& b) {
-                draw_visible_line(a, b, color, target);
+                draw_visible_line(a, b, scene.camera, color, target);
             });
         }
     }

@@ -17,7 +17,27 @@ namespace scanlight::render {
 
 namespace {
 
-constexpr raster::Depth depth_slack = raster::depth_far / 1000;
+/// By how much depth grows over a thousandth of the distance. In perspective z = end (1 - near /
+/// distance), where end = far / (far - near) is the depth of what is infinitely far: the change is
+/// end - z, times that share.
+class Slack {
+public:
+    explicit Slack(const Camera& camera)
+        : end_(camera.far / (camera.far - camera.near)),
+          is_perspective_(camera.projection == Projection::perspective) {}
+
+    double at(raster::Depth depth) const {
+        const double range = raster::depth_far;
+        const double left = is_perspective_ ? end_ * range - depth : range;
+        return share * std::max(left, 0.0);
+    }
+
+private:
+    static constexpr double share = 1.0 / 1000.0;
+
+    double end_;
+    bool is_perspective_;
+};
 
 using Line = std::pair<std::uint32_t, std::uint32_t>;  // vertices, the lower index first
 
@@ -61,15 +81,19 @@ raster::Depth steepness(const raster::Plane<raster::Depth>& depth, int x, int y)
 }
 
 /// A line runs beside the pixels' centres, where a steep surface has another depth.
-bool is_hidden(const raster::LinePixel& pixel, const raster::Plane<raster::Depth>& depth) {
-    const std::int64_t behind = std::int64_t{pixel.depth} - depth.at(pixel.x, pixel.y);
-    return behind > depth_slack && behind > depth_slack + steepness(depth, pixel.x, pixel.y);
+bool is_hidden(const raster::LinePixel& pixel, const Slack& slack,
+               const raster::Plane<raster::Depth>& depth) {
+    const raster::Depth stored = depth.at(pixel.x, pixel.y);
+    const double behind = static_cast<double>(std::int64_t{pixel.depth} - stored);
+    const double allowed = slack.at(stored);
+    return behind > allowed && behind > allowed + steepness(depth, pixel.x, pixel.y);
 }
 
 void draw_line(const raster::ScreenVertex<0>& a, const raster::ScreenVertex<0>& b,
-               raster::Rgba color, HiddenLines hidden, raster::Framebuffer& target) {
+               const Slack& slack, raster::Rgba color, HiddenLines hidden,
+               raster::Framebuffer& target) {
     raster::draw_line(a, b, target.size(), [&](const raster::LinePixel& pixel) {
-        if (hidden == HiddenLines::removed && is_hidden(pixel, target.depth)) return;
+        if (hidden == HiddenLines::removed && is_hidden(pixel, slack, target.depth)) return;
         target.color.at(pixel.x, pixel.y) = color;
     });
 }
@@ -77,21 +101,22 @@ void draw_line(const raster::ScreenVertex<0>& a, const raster::ScreenVertex<0>& 
 }  // namespace
 
 void draw_visible_line(const raster::ScreenVertex<0>& a, const raster::ScreenVertex<0>& b,
-                       raster::Rgba color, raster::Framebuffer& target) {
-    draw_line(a, b, color, HiddenLines::removed, target);
+                       const Camera& camera, raster::Rgba color, raster::Framebuffer& target) {
+    draw_line(a, b, Slack(camera), color, HiddenLines::removed, target);
 }
 
 void draw_wireframe(const Scene& scene, raster::Rgba color, HiddenLines hidden,
                     raster::Framebuffer& target, const Settings& settings) {
     const Frame frame = frame_of(scene, Distances::finite, target.size());
+    const Slack slack(scene.camera);
     for (const Object& object : scene.objects) {
         const PlacedMesh mesh = placed(object, frame);
         for (const auto& [a, b] : edges_of(mesh, frame, settings_of(object, settings))) {
             const auto line = raster::clip_line({mesh.clip[a], {}}, {mesh.clip[b], {}});
             if (!line) continue;
             draw_line(raster::snapped<0>(line->first.position, frame.viewport),
-                      raster::snapped<0>(line->second.position, frame.viewport), color, hidden,
-                      target);
+                      raster::snapped<0>(line->second.position, frame.viewport), slack, color,
+                      hidden, target);
         }
     }
 }

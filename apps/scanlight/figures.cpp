@@ -42,6 +42,16 @@ const std::vector<Figure>& figures() {
          {"teapot:4 --wireframe",
           "teapot:4 --wireframe=hidden",
           "teapot:4 --wireframe=over --shading flat"}},
+        {"flow",
+         "The way of a picture: edges, hidden edges removed, flat, Gouraud and Phong shading, and at "
+         "last texture and shadow.",
+         {"teapot:4 --floor --zoom 0.9 --wireframe",
+          "teapot:4 --floor --zoom 0.9 --wireframe=hidden",
+          "teapot:4 --floor --zoom 0.9 --shading flat",
+          "teapot:4 --floor --zoom 0.9 --shading gouraud",
+          "teapot:4 --floor --zoom 0.9 --shading phong",
+          "teapot:4 --floor --zoom 0.9 --shading phong --shadows zfail --light world:-1,2,1.5 "
+          "--texture \"diffuse=marble bend=1.5 low=#28323c high=#f0ece4\""}},
         {"teapot-phong",
          "Newell's teapot, Phong shading.",
          {"teapot:10"}},

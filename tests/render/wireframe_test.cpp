@@ -77,6 +77,19 @@ TEST_P(WireframeOfACube, WithoutHiddenLinesShowsNine) {
     }
 }
 
+/// A floor that reaches to the eye, say, takes the near plane along, and nearly all of depth.
+TEST_P(WireframeOfACube, WithoutHiddenLinesShowsNineWhereverTheNearPlaneIs) {
+    Scene close = scene;
+    close.camera.near = GetParam() == Projection::perspective ? 0.001 : close.camera.near;
+    close.camera.far *= 3.0;
+    auto target = draw(close, {}, size).framebuffer;
+    draw_wireframe(close, ink, HiddenLines::removed, target);
+    for (const auto& edge : cube_edges()) {
+        EXPECT_EQ(is_inked(target, screen_from_world(close.camera, size, edge.place)), !edge.hidden)
+            << edge.place.x << ' ' << edge.place.y << ' ' << edge.place.z;
+    }
+}
+
 /// Outlines of steep faces too: beside the line such a face comes much nearer.
 TEST_P(WireframeOfACube, VisibleEdgesHaveNoGaps) {
     auto target = draw(scene, {}, size).framebuffer;
