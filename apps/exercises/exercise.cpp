@@ -72,13 +72,14 @@ int judge_all(const Exercise& exercise, const std::filesystem::path& folder) {
 void Checks::number(const std::string& what, double yours, double right) {
     ++count_;
     if (std::abs(yours - right) <= 1e-6) return;
-    wrong_.push_back(what + " is " + text_of(right) + ", not " + text_of(yours));
+    wrong_.push_back(what + ": yours is " + text_of(yours) + ", right is " + text_of(right));
 }
 
 void Checks::answer(const std::string& what, bool yours, bool right) {
     ++count_;
     if (yours == right) return;
-    wrong_.push_back(what + ": " + (right ? "yes" : "no") + ", not " + (yours ? "yes" : "no"));
+    wrong_.push_back(what + ": yours is " + (yours ? "yes" : "no") + ", right is " +
+                     (right ? "yes" : "no"));
 }
 
 int judge(const Exercise& exercise, int argc, const char* const* argv) {

@@ -37,10 +37,17 @@ mesh::Mesh built(const std::string& weighting, double crease_deg) {
         .mesh;
 }
 
+enum class Part { lid, side };
+
+Part part_of(const mesh::Mesh& mesh, std::size_t face) {
+    return std::abs(mesh.face_normals[face].y) > 0.5f ? Part::lid : Part::side;
+}
+
 /// By how much a corner's normal leans away from its face's, at most; in degrees.
-double most_lean(const mesh::Mesh& mesh) {
+double most_lean(const mesh::Mesh& mesh, Part part) {
     double least_cosine = 1.0;
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        if (part_of(mesh, f) != part) continue;
         for (const std::uint32_t vertex : mesh.face(f)) {
             const shading::Vec3<double> corner(mesh.vertices.normal(vertex));
             const shading::Vec3<double> face(mesh.face_normals[f]);
@@ -50,11 +57,18 @@ double most_lean(const mesh::Mesh& mesh) {
     return std::acos(std::clamp(least_cosine, -1.0, 1.0)) * 180.0 / mesh::pi;
 }
 
-Curve lean_curve(const std::string& weighting) {
+Curve lean_curve(const std::string& weighting, Part part) {
     Curve curve{weighting, {}};
     for (double crease = 0.0; crease <= 180.0; crease += 7.5)
-        curve.points.emplace_back(crease, most_lean(built(weighting, crease)));
+        curve.points.emplace_back(crease, most_lean(built(weighting, crease), part));
     return curve;
+}
+
+Plot lean_plot(const std::string& key, Part part, double crease) {
+    Plot plot{key, {"crease-axis", 0, 180}, {"lean-axis", 0, 90}, {}, crease};
+    for (const std::string& word : weightings)
+        plot.curves.push_back(lean_curve(word, part));
+    return plot;
 }
 
 Panel normals_panel(const std::string& arguments, raster::Viewport size) {
@@ -75,10 +89,10 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
          normals_panel(arguments(weighting, crease, "--shading phong"), size)},
         {{"faces", static_cast<double>(mesh.face_count())},
          {"vertices", static_cast<double>(mesh.vertices.size())},
-         {"lean", most_lean(mesh), 1, "°"}}};
-    screen.plots = {{"lean-plot", {"crease-axis", 0, 180}, {"lean-axis", 0, 90}, {}, crease}};
-    for (const std::string& word : weightings)
-        screen.plots.front().curves.push_back(lean_curve(word));
+         {"lean-lid", most_lean(mesh, Part::lid), 1, "°"},
+         {"lean-side", most_lean(mesh, Part::side), 1, "°"}}};
+    screen.plots = {lean_plot("lean-lid-plot", Part::lid, crease),
+                    lean_plot("lean-side-plot", Part::side, crease)};
     return screen;
 }
 

@@ -31,6 +31,10 @@ raster::Difference difference(const Panel& gouraud, const Panel& phong) {
     return raster::compare(gouraud.picture, phong.picture);
 }
 
+double worst_of(const raster::Difference& found) {
+    return found.worst ? std::abs(found.worst->first - found.worst->second) : 0.0;
+}
+
 /// At each level of subdivision, how far Gouraud's picture is from Phong's.
 std::vector<glm::dvec2> error_curve(const Settings& settings, raster::Viewport size,
                                     const apps::Means& means) {
@@ -38,7 +42,7 @@ std::vector<glm::dvec2> error_curve(const Settings& settings, raster::Viewport s
     for (int level = 0; level <= most_levels; ++level) {
         const Panel gouraud = panel_of("", arguments("gouraud", level, settings), size, means);
         const Panel phong = panel_of("", arguments("phong", level, settings), size, means);
-        points.emplace_back(level, difference(gouraud, phong).mean_absolute);
+        points.emplace_back(level, worst_of(difference(gouraud, phong)));
     }
     return points;
 }
@@ -59,13 +63,13 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
     return {{gouraud, phong, difference_panel(gouraud, phong)},
             {{"triangles", static_cast<double>(20 << (2 * level))},
              {"mean-error", found.mean_absolute, 2},
-             {"worst-error", found.worst ? std::abs(found.worst->first - found.worst->second) : 0},
+             {"worst-error", worst_of(found)},
              {"peak-gouraud", brightest_light(by_gouraud, size), 3},
              {"peak-phong", brightest_light(by_phong, size), 3}},
             {{"error-plot",
               {"level-axis", 0, most_levels},
-              {"error-axis", 0, 10},
-              {{"mean-error", error_curve(settings, size, means)}},
+              {"error-axis", 0, 255},
+              {{"worst-error", error_curve(settings, size, means)}},
               level}}};
 }
 

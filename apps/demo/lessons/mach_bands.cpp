@@ -20,7 +20,7 @@ struct Profile {
     Stretch stretch;
     std::vector<double> light;
     std::vector<double> change;  // from the pixel before
-    std::vector<double> seen;    // by an eye with lateral inhibition
+    std::vector<double> added;   // to it by an eye with lateral inhibition
 };
 
 std::string arguments(const std::string& shading, const Settings& settings) {
@@ -50,7 +50,9 @@ Profile profile_of(const std::string& key, const Stage& stage, int y) {
     Profile profile{
         key, inner(surface_of_row(picture.depth, y)), intensities(picture.color, y), {}, {}};
     profile.change = changes(profile.light);
-    profile.seen = shading::lateral_inhibition(std::span<const double>(profile.light));
+    profile.added = shading::lateral_inhibition(std::span<const double>(profile.light));
+    for (std::size_t x = 0; x < profile.added.size(); ++x)
+        profile.added[x] -= profile.light[x];
     return profile;
 }
 
@@ -69,7 +71,7 @@ double overshoot(const Profile& profile) {
     double most = 0.0;
     for (int x = profile.stretch.begin; x < profile.stretch.end; ++x) {
         const auto i = static_cast<std::size_t>(x);
-        most = std::max(most, std::abs(profile.seen[i] - profile.light[i]));
+        most = std::max(most, std::abs(profile.added[i]));
     }
     return most;
 }
@@ -100,7 +102,8 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
         plot_of("light-plot", {"light-axis", 0, 1}, size.width, profiles, &Profile::light),
         plot_of("change-plot", {"change-axis", -0.02, 0.02}, size.width, profiles,
                 &Profile::change),
-        plot_of("seen-plot", {"seen-axis", 0, 1.1}, size.width, profiles, &Profile::seen)};
+        plot_of("added-plot", {"added-axis", -0.002, 0.002}, size.width, profiles,
+                &Profile::added)};
     return screen;
 }
 

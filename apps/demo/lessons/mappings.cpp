@@ -33,8 +33,7 @@ std::string look_of(const std::string& surface, const std::string& mapping) {
         return " --texture \"diffuse=checker low=0.05 count=8 offset=0.02,0.02 mapping=" + mapping +
                "\"";
     if (surface == "wood") return " --texture \"diffuse=wood axis=y low=#40200c high=#c08040\"";
-    if (surface == "bump")
-        return " --texture \"bump=waves count=8 height=0.03 mapping=" + mapping + "\"";
+    if (surface == "bump") return " --texture \"bump=waves count=8 height=0.03 mapping=spherical\"";
     return " --environment room --material \"kd=0.05 mirror=0.8\"";
 }
 
@@ -48,7 +47,7 @@ int covered_pixels(const raster::Plane<raster::Depth>& depth) {
     return count;
 }
 
-/// What the texture changes on the sphere: many pixels, and none of the outline.
+/// What bumps change on the sphere: many pixels, and none of the outline.
 std::vector<Number> numbers_of(const Stage& plain, const Stage& dressed) {
     const auto before = plain.framebuffer();
     const auto after = dressed.framebuffer();
@@ -83,9 +82,10 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
     for (const Body& body : bodies)
         screen.panels.push_back(panel_of(body.key, plain_arguments(body) + look, size, means));
     const Body& sphere = bodies.back();
+    if (!has_bumps(settings)) return screen;
     screen.numbers = numbers_of(Stage(plain_arguments(sphere), size),
                                 Stage(plain_arguments(sphere) + look, size));
-    if (has_bumps(settings)) add_displaced(screen, size, means);
+    add_displaced(screen, size, means);
     return screen;
 }
 

@@ -15,21 +15,24 @@ namespace {
 /// Of the texture that the error is told in.
 constexpr double texels = 64.0;
 
+/// Four walls, which go away along the scanlines: of a floor all of a scanline is equally far. One
+/// of them looks to 45 degrees.
 std::string view_text(const std::string& perspective, const Settings& settings) {
-    return "plane:1 --fov 60 --view 50," + apps::fixed(settings.at("elevation"), 0) +
-           " --perspective " + perspective;
+    const std::string azimuth = apps::fixed(45.0 + settings.at("azimuth"), 0);
+    return "cylinder:4 --crease 30 --fov 75 --view " + azimuth + ",0 --perspective " + perspective;
 }
 
 std::string arguments(const std::string& perspective, const Settings& settings) {
     return view_text(perspective, settings) +
-           " --texture \"diffuse=checker count=8 low=0.06\" --material \"kd=#e0c8a0 ks=0\" "
-           "--light world:0.2,1,0.1";
+           " --texture \"diffuse=checker count=8 low=0.06 repeat=4,1\" --material \"kd=#e0c8a0 "
+           "ks=0\" "
+           "--light 0.3,0.5,1";
 }
 
 /// Ambient light alone on a surface as bright as u: a pixel's intensity is the u that it got.
 std::string parameter_arguments(const std::string& perspective, const Settings& settings) {
     return view_text(perspective, settings) +
-           " --texture \"ambient=gradient low=0 high=1 wrap=clamp\" --material \"ka=1 kd=0 ks=0\" "
+           " --texture \"ambient=gradient low=0 high=1 repeat=4,1\" --material \"ka=1 kd=0 ks=0\" "
            "--ambient 1 "
            "--light 0,0,1,#000";
 }
@@ -81,7 +84,7 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
 
 Lesson perspective_lesson() {
     return {"perspective",
-            {{"elevation", "", Slider{15, 90, 6, 30}}},
+            {{"azimuth", "", Slider{0, 45, 6, 27}}},
             {{"raster/project.h", "project_affine"}, {"raster/project.h", "project_correct"}},
             draw};
 }

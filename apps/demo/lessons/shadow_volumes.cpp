@@ -22,6 +22,11 @@ namespace {
 constexpr glm::dvec3 outside{3.6, 0.6, -3.4};
 constexpr glm::dvec3 inside{1.0, -0.4, -3.0};
 
+/// Of the picked pixel, as a share of the height: it lies on lit floor and dark floor.
+constexpr double picked_height = 0.51;
+
+constexpr double floor_height = -1.0;
+
 const std::string light = " --light point:-1,3,2.5";
 
 glm::dvec3 eye_of(const Settings& settings) {
@@ -68,7 +73,7 @@ std::string signed_text(std::int32_t number) {
 
 /// The faces that the ray goes through, with the surface among them.
 Table crossings_table(const apps::PixelShadow& shadow) {
-    Table table{"crossings", {"{{face}}", "{{depth}}", "+1/−1", "{{sum}}"}, {}};
+    Table table{"crossings", {"{{face}}", "{{depth}}", "{{enters}}", "{{sum}}"}, {}};
     std::int32_t sum = 0;
     bool behind = false;
     for (const auto& crossing : shadow.crossings) {
@@ -123,13 +128,16 @@ Panel overview(const Settings& settings, raster::Viewport size, const apps::Mean
         render::volume_lines(stage.scene(), stage.options().settings, 0, 0, stage.options().size);
     for (const render::PictureLine& line : ghost)
         panel.marks.push_back({line.from, line.to});
-    const glm::dvec2 eye = pixel_of(stage, eye_of(settings));
-    panel.marks.push_back({eye, eye});
+    const glm::dvec3 eye = eye_of(settings);
+    const glm::dvec2 seen = pixel_of(stage, eye);
+    panel.marks.push_back({seen, seen});
+    panel.marks.push_back({seen, pixel_of(stage, {eye.x, floor_height, eye.z})});
     return panel;
 }
 
 Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& means) {
-    const Pixel pixel{static_cast<int>(settings.at("x") * size.width), size.height * 3 / 4};
+    const Pixel pixel{static_cast<int>(settings.at("x") * size.width),
+                      static_cast<int>(picked_height * size.height)};
     const Stage by_zfail(arguments(settings, "zfail"), size);
     const Panel wrong =
         panel_of("zpass-from-zero", arguments(settings, "zpass-from-zero"), size, means);

@@ -7,9 +7,9 @@
 //
 //     I = I_a K_a + I_p (K_d (N.L) + K_s (R.V)^n)
 //
-// Neither term is ever less than 0. N, L and V are unit vectors that point away from the surface:
-// the normal, to the light, to the viewer. R is L mirrored in N: R = 2 N (N.L) - L. Where the light
-// is behind the surface it sends nothing, no highlight either.
+// N, L and V are unit vectors that point away from the surface: the normal, to the light, to the
+// viewer. R is L mirrored in N: R = 2 N (N.L) - L. Where R.V is below 0, take 0 for it before it is
+// raised to n. Where N.L is not above 0 the light is behind the surface: only I_a K_a is left.
 
 namespace scanlight::exercises {
 
