@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <functional>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -16,18 +18,21 @@ namespace scanlight::raster {
 
 namespace {
 
-using Pixel = std::array<double, 4>;
+template <class Sample>
+using Pixel = std::array<Sample, 4>;
 
 template <class Sample>
-Pixel pixel_at(const Image<Sample>& image, int x, int y) {
-    Pixel pixel{};
+Pixel<Sample> pixel_at(const Image<Sample>& image, int x, int y) {
+    Pixel<Sample> pixel{};
     std::ranges::copy(image.pixel(x, y), pixel.begin());
     return pixel;
 }
 
 template <class Sample>
-std::vector<Pixel> pixels_of(const Image<Sample>& image) {
-    std::vector<Pixel> pixels;
+std::vector<Pixel<Sample>> pixels_of(const Image<Sample>& image) {
+    std::vector<Pixel<Sample>> pixels;
+    pixels.reserve(static_cast<std::size_t>(image.width()) *
+                   static_cast<std::size_t>(image.height()));
     for (int y = 0; y < image.height(); ++y) {
         for (int x = 0; x < image.width(); ++x)
             pixels.push_back(pixel_at(image, x, y));
@@ -35,13 +40,26 @@ std::vector<Pixel> pixels_of(const Image<Sample>& image) {
     return pixels;
 }
 
+/// NaN, which is not less than anything, has a place too.
+template <class Sample>
+bool comes_before(const Pixel<Sample>& a, const Pixel<Sample>& b) {
+    const auto key = [](Sample sample) {
+        if constexpr (std::is_same_v<Sample, float>)
+            return std::bit_cast<std::uint32_t>(sample);
+        else
+            return sample;
+    };
+    return std::ranges::lexicographical_compare(a, b, {}, key, key);
+}
+
 /// Of several, the least.
-Pixel most_frequent(std::vector<Pixel> pixels) {
-    std::ranges::sort(pixels);
-    Pixel found{};
+template <class Sample>
+Pixel<Sample> most_frequent(std::vector<Pixel<Sample>> pixels) {
+    std::sort(pixels.begin(), pixels.end(), comes_before<Sample>);
+    Pixel<Sample> found{};
     std::ptrdiff_t most = 0;
     for (auto run = pixels.begin(); run != pixels.end();) {
-        const auto end = std::upper_bound(run, pixels.end(), *run);
+        const auto end = std::upper_bound(run, pixels.end(), *run, comes_before<Sample>);
         if (end - run > most) {
             most = end - run;
             found = *run;
@@ -54,7 +72,7 @@ Pixel most_frequent(std::vector<Pixel> pixels) {
 /// Whether each pixel has the most frequent colour.
 template <class Sample>
 Plane<char> background_of(const Image<Sample>& image) {
-    const Pixel background = most_frequent(pixels_of(image));
+    const Pixel<Sample> background = most_frequent(pixels_of(image));
     Plane<char> is_background({image.width(), image.height()}, 0);
     for (int y = 0; y < image.height(); ++y) {
         for (int x = 0; x < image.width(); ++x)

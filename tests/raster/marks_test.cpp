@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <utility>
 
 #include "raster/image_error.h"
@@ -61,6 +62,15 @@ TEST(Marks, AllowADifferenceUpToTheTolerance) {
     off.pixel(4, 3)[2] = 32;
     EXPECT_EQ(marks_of(off, flag(), 1.0 / 255).right, 29);
     EXPECT_EQ(marks_of(off, flag(), 2.0 / 255).right, 30);
+}
+
+TEST(Marks, OfFloatsThatAreNoNumbersAreCountedToo) {
+    ImageF odd(4, 4, 3);
+    for (int i = 0; i < 16; ++i)
+        odd.pixel(i % 4, i / 4)[0] = i % 3 == 0 ? std::nanf("") : static_cast<float>(i % 2);
+    const Marks marks = marks_of(odd, odd, 0);
+    EXPECT_EQ(marks.right, marks.judged);
+    EXPECT_GT(marks.judged, 0);
 }
 
 TEST(Marks, OfAnotherSizeAreNotToBeHad) {

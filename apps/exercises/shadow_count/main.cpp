@@ -19,7 +19,7 @@ apps::SceneOptions options() {
     auto options = apps::parse_scene(
         "torus:10,6 --floor --shadows zfail --light point:0,1.6,-2.5 --eye 0.6,-0.2,1.7 "
         "--target 0,0,0 --fov 75");
-    options.size = {96, 72};
+    options.size = {64, 48};
     return options;
 }
 
