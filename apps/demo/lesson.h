@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -47,6 +48,12 @@ struct SourcePlace {
     std::string function;
 };
 
+/// A file that the commands of a lesson read, and that the program brings along.
+struct BroughtFile {
+    std::string path;  // as the commands name it
+    std::string_view content;
+};
+
 /// One screen of the course: a picture, its controls, and the numbers beside it. Its words are in
 /// texts.toml, under its name. The window, the command line and the page all use the one `draw`.
 struct Lesson {
@@ -55,6 +62,7 @@ struct Lesson {
     std::vector<SourcePlace> places;
     /// Each panel of `size`. `settings` has a value for each control.
     Screen (*draw)(const Settings& settings, raster::Viewport size, const apps::Means& means);
+    std::vector<BroughtFile> files{};
 };
 
 /// In the order of the course.

@@ -178,15 +178,16 @@ Json lesson_json(const Lesson& lesson, const PageOptions& options, Pictures& pic
     Json places = Json::array();
     for (const SourcePlace& place : lesson.places)
         places.push_back({{"file", place.file}, {"function", place.function}});
+    Json files = Json::array();
+    for (const BroughtFile& file : lesson.files)
+        files.push_back({{"path", file.path}, {"content", file.content}});
     Json screens = Json::array();
     for (const Settings& settings : all_settings(lesson))
         screens.push_back(
             screen_json(lesson.draw(settings, options.panel_size, options.means), pictures));
-    return {{"name", lesson.name},
-            {"formula", texts().chapters().at(lesson.name).formula},
-            {"controls", controls},
-            {"places", places},
-            {"screens", screens}};
+    return {{"name", lesson.name},  {"formula", texts().chapters().at(lesson.name).formula},
+            {"controls", controls}, {"places", places},
+            {"files", files},       {"screens", screens}};
 }
 
 Json texts_json() {

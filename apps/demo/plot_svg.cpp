@@ -92,6 +92,12 @@ std::string curve(const Plot& plot, const Curve& curve, std::size_t number) {
            "'/>";
 }
 
+/// Below the axis there is room for two lines of names; more make the picture higher.
+double full_height(const Plot& plot) {
+    const auto lines = static_cast<double>((plot.curves.size() + 1) / 2);
+    return height + 15.0 * std::max(0.0, lines - 2.0);
+}
+
 /// Two names a line, below the axis.
 std::string legend(const Plot& plot) {
     std::string svg;
@@ -109,7 +115,7 @@ std::string legend(const Plot& plot) {
 }  // namespace
 
 std::string plot_svg(const Plot& plot) {
-    std::string svg = "<svg viewBox='0 0 " + fixed(width, 0) + " " + fixed(height, 0) +
+    std::string svg = "<svg viewBox='0 0 " + fixed(width, 0) + " " + fixed(full_height(plot), 0) +
                       "' role='img' aria-label='{{" + plot.key + "}}'>" + grid(plot);
     svg += line("axis", left, height - bottom, width - right, height - bottom) +
            line("axis", left, top, left, height - bottom);

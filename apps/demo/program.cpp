@@ -13,6 +13,7 @@
 #include "apps/demo/report.h"
 #include "apps/demo/settings.h"
 #include "apps/demo/texts.h"
+#include "apps/demo/walk.h"
 #include "apps/scanlight/means.h"
 #include "apps/scanlight/print_data.h"
 #include "apps/scanlight/progress.h"
@@ -40,6 +41,19 @@ struct Options {
     apps::Means means;
 };
 
+/// Throws UsageError where a step is asked for that the polygon has not.
+void check_step(const Lesson& lesson, const Settings& settings, const Screen& screen) {
+    if (!screen.walked) return;
+    const auto last = static_cast<double>(walk_of(screen.walked->steps.trace).size()) - 1.0;
+    for (const Control& control : lesson.controls) {
+        const double step = settings.at(control.name);
+        if (control.moved == Moved::by_steps && step > last)
+            throw apps::UsageError(control.name + " " + value_text(control, step) +
+                                   ": this polygon has steps from 0 to " +
+                                   value_text(control, last));
+    }
+}
+
 void save_lesson(const Options& options) {
     const Language language = parse_language(options.language);
     const Lesson& lesson = lesson_named(options.lesson);
@@ -48,6 +62,7 @@ void save_lesson(const Options& options) {
         set(settings, lesson, assignment);
     if (options.frame >= 0) set_frame(settings, lesson, options.frame);
     const Screen screen = lesson.draw(settings, apps::parse_size(options.size), options.means);
+    check_step(lesson, settings, screen);
     if (!options.output.empty())
         raster::save_image(options.output, picture_of(screen),
                            options.output == "-" ? raster::ImageFormat::png
@@ -117,8 +132,12 @@ void add_options(CLI::App& program, Options& options) {
         ->capture_default_str();
     apps::add_means_options(program, options.means);
     program.footer(
-        "Without any of these the window opens, on a mesh, a scene file or the teapot, by the\n"
-        "options of scanlight render.\n"
+        "Without any of these the window opens: scanlight-demo [IN] [OPTIONS]. IN is a mesh, a\n"
+        "built-in shape or a scene file; without it the teapot is seen. The window's options are\n"
+        "those of scanlight render that say what is seen, and of its own:\n"
+        "  --snapshot PNG              save a picture of the window, and end\n"
+        "  --measure FRAMES            turn the picture, print how long the frames took, and end\n"
+        "  --controls                  print where each control of the window stands, and end\n"
         "Examples:\n"
         "  scanlight-demo bunny.obj --shadows zfail\n"
         "  scanlight-demo --list\n"

@@ -10,6 +10,12 @@ namespace scanlight::demo {
 
 namespace {
 
+/// What some lessons add to their formula.
+std::string remark_text(const Lesson& lesson, Language language) {
+    const auto* remark = texts().find(lesson.name, "remark", language);
+    return remark == nullptr ? "" : *remark + "\n\n";
+}
+
 std::string controls_text(const Lesson& lesson, const Settings& settings, Language language) {
     std::string text;
     for (const Control& control : lesson.controls) {
@@ -48,6 +54,14 @@ std::string commands_text(const Screen& screen) {
     return text;
 }
 
+std::string files_text(const Lesson& lesson, Language language) {
+    std::string text;
+    for (const BroughtFile& file : lesson.files)
+        text += "\n" + texts().of("page", "file-head", language) + " " + file.path + "\n\n" +
+                std::string(file.content);
+    return text;
+}
+
 }  // namespace
 
 std::string list_text(Language language) {
@@ -65,11 +79,12 @@ std::string lesson_text(const Lesson& lesson, const Settings& settings, const Sc
         return texts().of(lesson.name, key, language) + "\n\n";
     };
     std::string text = words("title") + words("intro") + words("notice") + words("question") +
+                       words("letters") + remark_text(lesson, language) +
                        controls_text(lesson, settings, language) + "\n" +
                        numbers_text(lesson, screen, language) + "\n";
     for (const Table& table : screen.tables)
         text += table_text(lesson, table, language);
-    return text + commands_text(screen);
+    return text + commands_text(screen) + files_text(lesson, language);
 }
 
 }  // namespace scanlight::demo

@@ -1,6 +1,7 @@
 #include "apps/demo/settings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "apps/scanlight/text_table.h"
@@ -34,12 +35,23 @@ const Control& control_named(const Lesson& lesson, const std::string& name) {
     throw UsageError(lesson.name + " has no control '" + name + "', but " + joined(names));
 }
 
+/// A slider stands at no more digits than it shows.
+void check_digits(const Slider& slider, const std::string& name, double value) {
+    const double unit = std::pow(10.0, slider.digits);
+    const auto text = [&](double scaled) { return apps::fixed(scaled / unit, slider.digits); };
+    if (std::abs(value * unit - std::round(value * unit)) < 1e-6) return;
+    throw UsageError(name + " has nothing between " + text(std::floor(value * unit)) + " and " +
+                     text(std::ceil(value * unit)));
+}
+
 double parsed(const Slider& slider, const std::string& name, const std::string& text) {
     const double value = apps::parse_number(text, name);
-    if (value >= slider.low && value <= slider.high) return value;
-    throw UsageError(name + " '" + text + "': expected a number from " +
-                     apps::fixed(slider.low, slider.digits) + " to " +
-                     apps::fixed(slider.high, slider.digits));
+    if (!(value >= slider.low && value <= slider.high))
+        throw UsageError(name + " '" + text + "': expected a number from " +
+                         apps::fixed(slider.low, slider.digits) + " to " +
+                         apps::fixed(slider.high, slider.digits));
+    check_digits(slider, name, value);
+    return value;
 }
 
 double parsed(const Choice& choice, const std::string& name, const std::string& text) {

@@ -51,16 +51,22 @@ Texts::Texts(const std::string& toml) {
         chapters_[entry.name] = chapter_of(table_of(entry));
 }
 
-const std::string& Texts::of(const std::string& lesson, const std::string& key,
-                             Language language) const {
+const std::string* Texts::find(const std::string& lesson, const std::string& key,
+                               Language language) const {
     for (const std::string& name : {lesson, std::string("common")}) {
         const auto chapter = chapters_.find(name);
         if (chapter == chapters_.end()) continue;
         const Words& words =
             language == Language::english ? chapter->second.english : chapter->second.chinese;
         const auto found = words.find(key);
-        if (found != words.end()) return found->second;
+        if (found != words.end()) return &found->second;
     }
+    return nullptr;
+}
+
+const std::string& Texts::of(const std::string& lesson, const std::string& key,
+                             Language language) const {
+    if (const std::string* text = find(lesson, key, language)) return *text;
     throw std::out_of_range(lesson + ": no text '" + key + "'");
 }
 

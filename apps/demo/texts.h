@@ -22,6 +22,10 @@ public:
     /// Throws FileError for a table that is not in order.
     explicit Texts(const std::string& toml);
 
+    /// What a lesson calls `key`, else what all lessons do; null if neither does.
+    const std::string* find(const std::string& lesson, const std::string& key,
+                            Language language) const;
+
     /// What a lesson calls `key`, else what all lessons do. Throws std::out_of_range if neither
     /// does.
     const std::string& of(const std::string& lesson, const std::string& key,

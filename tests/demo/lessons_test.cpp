@@ -213,6 +213,17 @@ TEST(CookTorrance, MetalsMirrorInTheirColour) {
     EXPECT_NEAR(number_of(silver, "f-red"), number_of(silver, "f-blue"), 0.1);
 }
 
+TEST(CookTorrance, TheHighlightFollowsFromTheNumbersShown) {
+    const Screen screen = drawn("cook-torrance", {}, {320, 240});
+    const auto of = [&](const char* key) { return number_of(screen, key); };
+    const double facets = of("d") * of("g") / (4.0 * of("n-l") * of("n-v"));
+    EXPECT_GT(of("r-red"), 0.1);
+    EXPECT_NEAR(of("r-red"), facets * of("f-red"), 1e-9);
+    EXPECT_NEAR(of("r-blue"), facets * of("f-blue"), 1e-9);
+    const double open = 2.0 * of("n-h") * std::min(of("n-v"), of("n-l")) / of("v-h");
+    EXPECT_NEAR(of("g"), std::min(1.0, open), 1e-9);
+}
+
 TEST(CookTorrance, RougherFacetsLeanMore) {
     const auto density = [](const std::string& m) {
         return drawn("cook-torrance", {"m=" + m}).plots.front().curves.front().points.front().y;
@@ -299,12 +310,21 @@ TEST(EdgeTableWalk, AnyStepBeyondTheLastIsTheLast) {
 
 // ---- controls
 
+TEST(Settings, TakeWhatTheyShow) {
+    const Lesson& lesson = lesson_named("mach-bands");
+    Settings settings = starting_settings(lesson);
+    set(settings, lesson, "cut=0.57");
+    EXPECT_EQ(settings.at("cut"), 0.57);
+    EXPECT_THROW(set(settings, lesson, "cut=0.5712345"), apps::UsageError);
+}
+
 TEST(Settings, WrongOnesSayWhatWasExpected) {
     const Lesson& lesson = lesson_named("lost-highlight");
     Settings settings = starting_settings(lesson);
     EXPECT_THROW(set(settings, lesson, "level"), apps::UsageError);
     EXPECT_THROW(set(settings, lesson, "level=9"), apps::UsageError);
     EXPECT_THROW(set(settings, lesson, "level=x"), apps::UsageError);
+    EXPECT_THROW(set(settings, lesson, "level=2.5"), apps::UsageError);
     EXPECT_THROW(set(settings, lesson, "colour=1"), apps::UsageError);
     EXPECT_THROW(set_frame(settings, lesson, 6), apps::UsageError);
     EXPECT_THROW(lesson_named("no-such"), apps::UsageError);

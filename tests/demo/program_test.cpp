@@ -87,8 +87,10 @@ TEST(DemoProgram, RefusesWhatItCannotDo) {
     const Shell shell;
     for (const char* arguments :
          {"--lesson nothing", "--lesson mach-bands --set cut=7", "--lesson mach-bands --set x=1",
-          "--lesson mach-bands --frame 99", "--lesson mach-bands --language de", "--frame 1",
-          "--nonsense", "--lesson mach-bands -o picture.xyz", "--lesson mach-bands --size 0x3",
+          "--lesson mach-bands --frame 99", "--lesson edge-table --set step=400",
+          "--lesson edge-table --frame 400", "--lesson lost-highlight --set level=2.5",
+          "--lesson mach-bands --language de", "--frame 1", "--nonsense",
+          "--lesson mach-bands -o picture.xyz", "--lesson mach-bands --size 0x3",
           "--export /dev/null/course"}) {
         const Outcome outcome = shell.run(std::string("scanlight-demo ") + arguments);
         EXPECT_EQ(outcome.status, 2) << arguments;
@@ -104,6 +106,21 @@ TEST(DemoProgram, HelpHasExamples) {
     EXPECT_EQ(help.status, 0);
     EXPECT_NE(help.out.find("scanlight-demo --export course"), std::string::npos);
     EXPECT_EQ(shell.run("scanlight-demo --version").out, "scanlight-demo " SCANLIGHT_VERSION "\n");
+}
+
+TEST(DemoProgram, ALessonBringsTheFilesOfItsCommands) {
+    const Shell shell;
+    const Outcome outcome = shell.run("scanlight-demo --lesson transparency --size 24x18");
+    EXPECT_NE(outcome.out.find("# scanlight render apps/demo/scenes/panes.toml\n"),
+              std::string::npos);
+}
+
+TEST(DemoProgram, SaysWhichStepsAPolygonHas) {
+    const Shell shell;
+    const std::string lesson = "scanlight-demo --lesson edge-table --set step=";
+    const std::string err = shell.run(lesson + "400").err;
+    const std::string last = err.substr(err.rfind(' ') + 1);
+    EXPECT_EQ(shell.run(lesson + last).status, 0) << err;
 }
 
 // ---- the page

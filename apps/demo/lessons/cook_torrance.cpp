@@ -12,6 +12,7 @@
 #include "mesh/trigonometry.h"
 #include "shading/cook_torrance.h"
 #include "shading/phong.h"
+#include "shading/reflection.h"
 
 namespace scanlight::demo {
 
@@ -122,37 +123,56 @@ Curve lobe(const std::string& key, Bright&& bright) {
     return result;
 }
 
+/// From the middle to the rim.
+Curve direction(const std::string& key, const Vec3<double>& towards) {
+    return {key, {{0.0, 0.0}, glm::dvec2(towards)}};
+}
+
 Plot lobe_plot(const std::string& metal, double m, double light_deg) {
     const Vec3<double> N(0.0, 1.0, 0.0);
     const Vec3<double> L = at_angle(-light_deg);
     const FacetSlopes slopes(FacetDistribution::beckmann, m);
     const shading::Reflectance reflectance = reflectance_of(metal);
     return {"lobe-plot",
-            {"lobe-axis", -1.6, 1.6},
+            {"lobe-axis", -1.37, 1.37},  // so that a plot's angles are true
             {"lobe-up", 0, 1.1},
             {lobe("metal",
                   [&](const Vec3<double>& V) {
                       return shading::cook_torrance(N, L, V, slopes, reflectance).x;
                   }),
-             lobe("plastic", [&](const Vec3<double>& V) {
-                 return shading::phong(N, L, V, shading::Exponent(30));
-             })}};
+             lobe("plastic",
+                  [&](const Vec3<double>& V) {
+                      return shading::phong(N, L, V, shading::Exponent(30));
+                  }),
+             direction("to-light", L), direction("normal", N),
+             direction("mirrored", shading::reflected(L, N))}};
 }
 
+/// A number for each channel.
+void add_channels(std::vector<Number>& numbers, const std::string& key, const Vec3<double>& value) {
+    numbers.push_back({key + "-red", value.x, 3});
+    numbers.push_back({key + "-green", value.y, 3});
+    numbers.push_back({key + "-blue", value.z, 3});
+}
+
+/// All that R_s can be worked out from, and R_s.
 std::vector<Number> numbers_of(const Directions& at, const std::string& metal, double m) {
     const auto& [N, L, V, H, R] = at;
     const FacetSlopes slopes(FacetDistribution::beckmann, m);
+    const shading::Reflectance reflectance = reflectance_of(metal);
+    const double NL = shading::dot(N, L);
+    const double NV = shading::dot(N, V);
+    const double NH = shading::dot(N, H);
     const double VH = shading::dot(V, H);
-    const Vec3<double> F = shading::reflectance_at(VH, reflectance_of(metal));
-    return {
-        {"n-l", shading::dot(N, L), 3},
-        {"n-h", shading::dot(N, H), 3},
-        {"d", shading::facet_density(shading::dot(N, H), slopes), 3},
-        {"g", shading::facets_open(shading::dot(N, H), shading::dot(N, L), shading::dot(N, V), VH),
-         3},
-        {"f-red", F.x, 3},
-        {"f-green", F.y, 3},
-        {"f-blue", F.z, 3}};
+    std::vector<Number> numbers{{"n-l", NL, 3},
+                                {"n-v", NV, 3},
+                                {"n-h", NH, 3},
+                                {"v-h", VH, 3},
+                                {"d", shading::facet_density(NH, slopes), 3},
+                                {"g", shading::facets_open(NH, NL, NV, VH), 3}};
+    add_channels(numbers, "f", shading::reflectance_at(VH, reflectance));
+    add_channels(numbers, "r", shading::cook_torrance(N, L, V, slopes, reflectance) / NL);
+    return numbers;
 }
 
 Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& means) {

@@ -122,7 +122,8 @@ Lesson transparency_lesson() {
     return {"transparency",
             {{"opacity", "1−t", Slider{0.1, 0.9, 9, 0.6, 2}}},
             {{"shading/blending.h", "with_pane_behind"}, {"render/layers.h", "Blend"}},
-            draw};
+            draw,
+            {{scene_path, embedded::panes}}};
 }
 
 }  // namespace scanlight::demo

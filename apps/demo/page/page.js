@@ -34,6 +34,11 @@ function pageWord(key, ...values) {
   return course.texts.page[state.language][key].replace(/\{(\d)\}/g, (all, i) => values[i]);
 }
 
+// Letters with what stands below them: I_a, n_eye.
+function withSubscripts(text) {
+  return text.split(/(?<=\p{L})_([a-z0-9]+)/u).map((part, i) => (i % 2 ? element("sub", {}, part) : part));
+}
+
 // ---- where things stand
 
 function lessonNow() {
@@ -62,8 +67,17 @@ function remember() {
   history.replaceState(null, "", "#" + parts.join("&"));
 }
 
+// An address that was mangled on its way tells nothing.
+function addressParts() {
+  try {
+    return decodeURIComponent(location.hash.slice(1)).split("&");
+  } catch {
+    return [""];
+  }
+}
+
 function recall() {
-  const [name, ...rest] = decodeURIComponent(location.hash.slice(1)).split("&");
+  const [name, ...rest] = addressParts();
   const found = course.lessons.findIndex((lesson) => lesson.name === name);
   if (found < 0) return;
   state.lesson = found;
@@ -71,7 +85,7 @@ function recall() {
   for (const part of rest) {
     const [key, value] = part.split("=");
     if (key === "language" && ["en", "zh"].includes(value)) state.language = value;
-    if (key === "step" && Number.isInteger(Number(value))) state.step = Number(value);
+    if (key === "step" && value && Number.isInteger(Number(value))) state.step = Math.max(0, Number(value));
     const i = lesson.controls.findIndex((control) => control.name === key);
     if (i >= 0 && lesson.controls[i].stops.includes(value)) positions(lesson)[i] = lesson.controls[i].stops.indexOf(value);
   }
@@ -79,17 +93,35 @@ function recall() {
 
 // ---- pictures
 
+function isPoint([from, to]) {
+  return from[0] === to[0] && from[1] === to[1];
+}
+
+// Red, on white that is a little wider: to be seen on any picture.
+function mark(line, className) {
+  const [[x1, y1], [x2, y2]] = line;
+  return isPoint(line) ? svgElement("circle", { class: className, cx: x1, cy: y1, r: 5 }) : svgElement("line", { class: className, x1, y1, x2, y2 });
+}
+
 function marks(panel) {
   const svg = svgElement("svg", { viewBox: `0 0 ${panel.width} ${panel.height}`, "aria-hidden": "true" });
-  for (const [[x1, y1], [x2, y2]] of panel.marks) {
-    const isPoint = x1 === x2 && y1 === y2;
-    svg.append(isPoint ? svgElement("circle", { class: "mark", cx: x1, cy: y1, r: 5 }) : svgElement("line", { class: "mark", x1, y1, x2, y2 }));
-  }
+  for (const className of ["under-mark", "mark"]) svg.append(...panel.marks.map((line) => mark(line, className)));
   return svg;
 }
 
+// For those who cannot see the picture: what it is of, and what is marked in it.
+function described(lesson, panel) {
+  const said = lesson.controls.map((unused, i) => `${controlLabel(lesson, i)}: ${stopWord(lesson, i)}`).join("; ");
+  const parts = [pageWord("drawn-with", word(lesson.name, panel.key), word(lesson.name, "title"), said)];
+  const point = panel.marks.find(isPoint);
+  const across = panel.marks.find(([from, to]) => from[1] === to[1] && from[0] !== to[0]);
+  if (point) parts.push(pageWord("circle-at", ...point[0].map(Math.floor)));
+  if (across) parts.push(pageWord("line-along", Math.floor(across[0][1])));
+  return parts.join(" ");
+}
+
 function picture(lesson, panel) {
-  const image = element("img", { src: course.pictures[panel.picture], alt: word(lesson.name, panel.key), width: panel.width, height: panel.height });
+  const image = element("img", { src: course.pictures[panel.picture], alt: described(lesson, panel), width: panel.width, height: panel.height });
   return element("div", { className: "picture" }, image, marks(panel));
 }
 
@@ -127,7 +159,7 @@ function wipeChoice(lesson, screen, side) {
 
 function viewButtons(screen) {
   if (screen.panels.length < 2) return "";
-  const row = element("div", { className: "tools", role: "group" });
+  const row = element("div", { className: "tools", role: "group", "aria-label": pageWord("views") });
   for (const view of ["side-by-side", "wipe"]) {
     const button = element("button", { type: "button", "aria-pressed": String(state.view === view), data: { view } }, pageWord(view));
     button.addEventListener("click", () => {
@@ -142,10 +174,22 @@ function viewButtons(screen) {
 
 // ---- controls
 
+function controlLabel(lesson, i) {
+  const { name, symbol } = lesson.controls[i];
+  return (symbol ? symbol + "  " : "") + word(lesson.name, "control-" + name);
+}
+
+// Where a control stands, as people read it.
+function stopWord(lesson, i) {
+  const { is_choice: isChoice, stops } = lesson.controls[i];
+  const stop = stops[positions(lesson)[i]];
+  return isChoice ? word(lesson.name, "word-" + stop) : stop;
+}
+
 function control(lesson, i) {
-  const { name, symbol, is_choice: isChoice, stops } = lesson.controls[i];
+  const { name, is_choice: isChoice, stops } = lesson.controls[i];
   const id = "control-" + name;
-  const label = (symbol ? symbol + "  " : "") + word(lesson.name, id);
+  const label = controlLabel(lesson, i);
   const move = (value) => {
     positions(lesson)[i] = Number(value);
     drawScreen();
@@ -178,7 +222,7 @@ function numbers(lesson, screen) {
   if (!screen.numbers.length) return "";
   const body = element("tbody");
   for (const { key, value, unit } of screen.numbers) {
-    const cells = [element("th", { scope: "row" }, word(lesson.name, key)), element("td", {}, value + (unit ? " " + unit : ""))];
+    const cells = [element("th", { scope: "row" }, ...withSubscripts(word(lesson.name, key))), element("td", {}, value + (unit ? " " + unit : ""))];
     body.append(element("tr", {}, ...cells));
   }
   return element("section", {}, element("h3", {}, pageWord("numbers-head")), element("table", { className: "numbers" }, body));
@@ -211,8 +255,14 @@ function tables(lesson, screen) {
   });
 }
 
-function command(panel) {
-  return element("details", {}, element("summary", {}, pageWord("command-head")), element("pre", {}, panel.command));
+function command(panel, head = "command-head") {
+  return element("details", {}, element("summary", {}, pageWord(head)), element("pre", {}, panel.command));
+}
+
+// What the commands read, for whoever has this page alone.
+function files(lesson) {
+  return lesson.files.map(({ path, content }) =>
+    element("details", {}, element("summary", {}, pageWord("file-head") + " ", element("code", {}, path)), element("pre", {}, content)));
 }
 
 // ---- the stepped lesson
@@ -243,7 +293,7 @@ function stepper(lesson, screen) {
 // ---- the page
 
 function screenParts(lesson, screen) {
-  if (screen.steps) return [stepper(lesson, screen), command(screen.panels[0])];
+  if (screen.steps) return [stepper(lesson, screen), command(screen.panels[0], "tables-command-head")];
   const pictures = state.view === "wipe" && screen.panels.length > 1 ? wiped(lesson, screen) : sideBySide(lesson, screen);
   return [viewButtons(screen), pictures, numbers(lesson, screen), plots(lesson, screen), ...tables(lesson, screen)];
 }
@@ -260,10 +310,25 @@ function sources(lesson) {
   return element("section", {}, element("h3", {}, pageWord("source-head")), element("ul", {}, ...items));
 }
 
+// Where there is a space as wide as an M one formula ends: each is drawn by itself, so that a line
+// may break between them.
+function formulas(mathml) {
+  const template = element("template");
+  template.innerHTML = mathml;
+  const whole = template.content.querySelector("math");
+  const pieces = [whole.cloneNode(false)];
+  for (const part of [...whole.firstElementChild.childNodes]) {
+    if (part.nodeName.toLowerCase() === "mspace" && part.getAttribute("width") === "1em") pieces.push(whole.cloneNode(false));
+    else pieces.at(-1).append(part);
+  }
+  return pieces;
+}
+
 function formula(lesson) {
-  const box = element("div", { className: "formula", tabIndex: 0, role: "group", "aria-label": pageWord("formula-head") });
-  box.innerHTML = lesson.formula;
-  return element("section", {}, element("h3", {}, pageWord("formula-head")), box);
+  const box = element("div", { className: "formula", tabIndex: 0, role: "group", "aria-label": pageWord("formula-head") }, ...formulas(lesson.formula));
+  const { letters, remark } = course.texts[lesson.name][state.language];
+  const told = [letters, remark].filter(Boolean).map((text) => element("p", {}, ...withSubscripts(text)));
+  return element("section", {}, element("h3", {}, pageWord("formula-head")), box, ...told);
 }
 
 function question(lesson) {
@@ -288,7 +353,7 @@ function drawLesson() {
   const notice = element("p", { className: "notice" }, element("strong", {}, pageWord("notice-head") + ": "), word(lesson.name, "notice"));
   main.replaceChildren(
     element("h2", {}, word(lesson.name, "title")), element("p", {}, word(lesson.name, "intro")), controls(lesson),
-    element("div", { id: "screen" }), notice, question(lesson), formula(lesson), sources(lesson), turn());
+    element("div", { id: "screen" }), ...files(lesson), notice, question(lesson), formula(lesson), sources(lesson), turn());
   drawScreen();
 }
 
@@ -302,7 +367,10 @@ function drawFrame() {
     if (i === state.lesson) link.setAttribute("aria-current", "page");
     return element("li", {}, link);
   });
-  document.getElementById("contents").replaceChildren(...items);
+  const list = document.getElementById("contents");
+  list.replaceChildren(...items);
+  const current = items[state.lesson];  // on a phone the list is a row
+  list.scrollLeft = current.offsetLeft - (list.clientWidth - current.offsetWidth) / 2;
 }
 
 function draw() {
@@ -322,6 +390,7 @@ addEventListener("hashchange", () => {
   state.wipe = [0, 1, 50];
   recall();
   draw();
+  document.getElementById("lesson").focus({ preventScroll: true });
   scrollTo(0, 0);
 });
 recall();

@@ -15,7 +15,7 @@ class Stepper {
   // now) and code(kind); `moved(step)` is told of each step.
   constructor({ polygon, names, walk }, image, texts, start, moved) {
     Object.assign(this, { polygon, names, walk, image, texts, moved });
-    this.step = Math.min(start, this.walk.length - 1);
+    this.step = this.clamped(start);
     this.drawn = this.drawnPixels();
   }
 
@@ -35,8 +35,12 @@ class Stepper {
     return `rgb(${r} ${g} ${b})`;
   }
 
+  clamped(step) {
+    return Math.max(0, Math.min(this.walk.length - 1, step));
+  }
+
   go(step) {
-    this.step = Math.max(0, Math.min(this.walk.length - 1, step));
+    this.step = this.clamped(step);
     this.render();
     this.moved(this.step);
   }
@@ -64,10 +68,10 @@ class Stepper {
     hint.textContent = this.texts.say("steps-keys");
     const left = document.createElement("div");
     this.code = document.createElement("div");
-    left.append(this.stage, this.slider(), this.buttons(), hint, this.code);
-    const right = document.createElement("div");
-    right.append(this.says, this.tables);
-    root.append(left, right);
+    left.append(this.stage, this.slider(), this.buttons(), hint);
+    this.tables.className = "step-tables";
+    this.code.className = "step-code";
+    root.append(left, this.says, this.tables, this.code);
     this.render();
     return root;
   }
@@ -118,6 +122,7 @@ class Stepper {
 
   render() {
     this.range.value = this.step;
+    this.range.setAttribute("aria-valuetext", this.texts.say("step-of", this.step, this.walk.length - 1, this.sentence()));
     this.stage.replaceChildren(this.grid());
     this.says.textContent = this.sentence();
     this.tables.replaceChildren(...this.allTables());
