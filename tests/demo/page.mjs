@@ -116,8 +116,11 @@ async function useStepper(tab) {
 async function useLesson(tab, lesson) {
   await tab.click(`#contents a[href="#${lesson}"]`);
   await tab.waitForFunction((name) => location.hash.startsWith("#" + name), {}, lesson);
+  if (!(await tab.$eval("#contents a", (first) => first.hasAttribute("aria-current"))))
+    expect(await tab.evaluate(() => document.activeElement.id === "lesson"), `${lesson}: a link leads into the lesson`);
   if (lesson === "edge-table") await useStepper(tab);
   expect((await tab.$$("#lesson math")).length >= 1, `${lesson}: has a formula`);
+  expect((await tab.$$(".formula + p")).length === 1, `${lesson}: tells its letters`);
   expect(await tab.$eval("details:not(.answer) pre", (pre) => pre.textContent.startsWith("scanlight ")), `${lesson}: has its command`);
   await useControls(tab, lesson);
   await useWipe(tab, lesson);
@@ -141,12 +144,33 @@ for (const [language, scheme] of [["en", "light"], ["zh", "dark"]]) {
   }
 }
 
+// Addresses that were mangled on their way.
+for (const [hash, step] of [["#edge-table&step=-5", "0"], ["#edge-table&step=99999", "137"], ["#%E0%A4%A", "60"], ["#no-such-lesson", "60"]]) {
+  const tab = await opened(1280, "light", hash);
+  await tab.waitForSelector(".stepper");
+  const said = await tab.$eval(".stepper input", (range) => range.getAttribute("aria-valuetext"));
+  expect(said.startsWith(`Step ${step} of 137. `), `${hash}: at a step (${said})`);
+  await tab.close();
+}
+
+const cut = (tab) => tab.$$eval(".scroll", (all) => all.some((box) => box.scrollWidth > box.clientWidth));
+for (const shading of ["gouraud", "phong"]) {
+  for (const polygon of ["triangle", "quad", "pentagon", "star"]) {
+    const tab = await opened(1280, "light", `#edge-table&polygon=${polygon}&shading=${shading}&step=60`);
+    await tab.waitForSelector(".stepper");
+    expect(!(await cut(tab)), `edge-table, ${polygon}, ${shading}: no table is cut off`);
+    await tab.close();
+  }
+}
+
 const phone = await opened(375, "light", "");
 for (const lesson of lessons) {
   await phone.goto(url + "#" + lesson);
   await phone.waitForSelector("#screen > *");
   const width = await phone.evaluate(() => document.documentElement.scrollWidth);
   expect(width <= 375, `${lesson}: fits a phone (${width} px)`);
+  const current = await phone.$eval("#contents a[aria-current]", (link) => link.getBoundingClientRect().toJSON());
+  expect(current.left >= 0 && current.left < 375, `${lesson}: is seen in the list of a phone`);
   await phone.screenshot({ path: `${screenshots}/${lesson}-phone.png`, fullPage: true });
 }
 

@@ -111,7 +111,7 @@ function marks(panel) {
 
 // For those who cannot see the picture: what it is of, and what is marked in it.
 function described(lesson, panel) {
-  const said = lesson.controls.map((unused, i) => `${controlLabel(lesson, i)}: ${stopWord(lesson, i)}`).join("; ");
+  const said = lesson.controls.map((unused, i) => `${controlLabel(lesson, i).replace(/ +/, " ")}: ${stopWord(lesson, i)}`).join("; ");
   const parts = [pageWord("drawn-with", word(lesson.name, panel.key), word(lesson.name, "title"), said)];
   const point = panel.marks.find(isPoint);
   const across = panel.marks.find(([from, to]) => from[1] === to[1] && from[0] !== to[0]);

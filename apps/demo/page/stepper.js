@@ -53,7 +53,7 @@ class Stepper {
 
   build() {
     const root = document.createElement("div");
-    root.className = "stepper";
+    root.className = this.names.length > 1 ? "stepper wide" : "stepper";
     this.stage = document.createElement("div");
     this.stage.className = "picture";
     this.stage.tabIndex = 0;
