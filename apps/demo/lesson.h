@@ -28,15 +28,19 @@ struct Choice {
     std::size_t start = 0;
 };
 
-/// How a page moves a control: by pictures drawn beforehand, one for each stop; or through the
-/// recorded steps of a `Screen`.
-enum class Moved { by_pictures, by_steps };
+/// How a page moves a control: by pictures drawn beforehand, one for each stop; through the
+/// recorded steps of a `Screen`; or not at all, because it takes a person pointing in the window.
+enum class Moved { by_pictures, by_steps, by_pointing };
+
+/// Whether a place in a picture sets a control: to its share of the picture's width, or height.
+enum class Pointed { nowhere, column, row };
 
 struct Control {
     std::string name;    // on the command line
     std::string symbol;  // as the literature writes it; may be empty
     std::variant<Slider, Choice> kind;
     Moved moved = Moved::by_pictures;
+    Pointed pointed = Pointed::nowhere;
 };
 
 /// Where a lesson's controls stand, by their names.

@@ -21,7 +21,10 @@ constexpr std::string_view course_words[] = {"--list", "--lesson", "--export",
 int main(int argc, char** argv) {
     using namespace scanlight::demo;
     if constexpr (has_window) {
-        const bool wants_course = std::any_of(argv + 1, argv + argc, is_of_the_course);
+        const bool wants_window =
+            std::find(argv + 1, argv + argc, std::string_view("--window")) != argv + argc;
+        const bool wants_course =
+            !wants_window && std::any_of(argv + 1, argv + argc, is_of_the_course);
         if (!wants_course) return run_window_program(argc, argv);
     }
     return run(argc, argv);

@@ -43,6 +43,20 @@ Pixel brightest(const raster::Framebuffer& picture) {
     return best;
 }
 
+Pixel nearest_surface(const raster::Plane<raster::Depth>& depth, const Pixel& to) {
+    Pixel best = to;
+    int least = std::numeric_limits<int>::max();
+    for (int y = 0; y < depth.height(); ++y) {
+        for (int x = 0; x < depth.width(); ++x) {
+            const int far = (x - to.x) * (x - to.x) + (y - to.y) * (y - to.y);
+            if (far >= least || depth.at(x, y) >= raster::depth_clear) continue;
+            least = far;
+            best = {x, y};
+        }
+    }
+    return best;
+}
+
 std::vector<glm::dvec2> points_of(const std::vector<double>& values, const Stretch& stretch) {
     std::vector<glm::dvec2> points;
     for (int x = stretch.begin; x < stretch.end; ++x)

@@ -33,6 +33,9 @@ struct Pixel {
 };
 Pixel brightest(const raster::Framebuffer& picture);
 
+/// The pixel that shows a surface nearest to another; that itself, if none does.
+Pixel nearest_surface(const raster::Plane<raster::Depth>& depth, const Pixel& to);
+
 /// The values of a stretch at their pixels' centres, as points of a curve.
 std::vector<glm::dvec2> points_of(const std::vector<double>& values, const Stretch& stretch);
 

@@ -141,6 +141,7 @@ void add_options(CLI::App& program, Options& options) {
         "Examples:\n"
         "  scanlight-demo bunny.obj --shadows zfail\n"
         "  scanlight-demo --list\n"
+        "  scanlight-demo --window --lesson lost-highlight\n"
         "  scanlight-demo --lesson lost-highlight --set level=3 -o lost.png\n"
         "  scanlight-demo --lesson edge-table --frame 120 -o step.png\n"
         "  scanlight-demo --lesson mach-bands --language zh -o - | display\n"

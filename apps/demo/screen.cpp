@@ -25,7 +25,9 @@ void draw_line(raster::Image8& picture, const Mark& mark) {
     const glm::dvec2 way = mark.to - mark.from;
     const int steps = static_cast<int>(std::ceil(std::max(std::abs(way.x), std::abs(way.y))));
     for (int i = 0; i <= steps; ++i) {
-        const glm::dvec2 at = mark.from + way * (static_cast<double>(i) / std::max(steps, 1));
+        // Multiplied first: then whole steps stay whole, and no pixel is left out.
+        const glm::dvec2 at =
+            mark.from + way * static_cast<double>(i) / static_cast<double>(std::max(steps, 1));
         apps::fill_box(picture, static_cast<int>(std::floor(at.x)),
                        static_cast<int>(std::floor(at.y)), 1, 1, mark_color);
     }
@@ -42,6 +44,8 @@ void draw_frame(raster::Image8& picture, const glm::dvec2& at) {
     apps::fill_box(picture, x + r, y - r, 1, 2 * r + 1, mark_color);
 }
 
+}  // namespace
+
 raster::Image8 marked(const Panel& panel) {
     raster::Image8 picture = panel.picture;
     for (const Mark& mark : panel.marks) {
@@ -53,8 +57,6 @@ raster::Image8 marked(const Panel& panel) {
     }
     return picture;
 }
-
-}  // namespace
 
 raster::Image8 picture_of(const Screen& screen) {
     int width = 0;

@@ -72,6 +72,9 @@ struct Screen {
     std::optional<Walked> walked{};  // to be stepped through
 };
 
+/// A panel's picture with its marks.
+raster::Image8 marked(const Panel& panel);
+
 /// The panels side by side, with their marks.
 raster::Image8 picture_of(const Screen& screen);
 

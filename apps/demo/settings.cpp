@@ -89,6 +89,15 @@ std::string value_text(const Control& control, double value) {
     return std::get<Choice>(control.kind).words[static_cast<std::size_t>(value)];
 }
 
+double held(const Control& control, double value) {
+    if (const auto* slider = std::get_if<Slider>(&control.kind)) {
+        const double power = std::pow(10.0, slider->digits);
+        return std::clamp(std::round(value * power) / power, slider->low, slider->high);
+    }
+    const auto last = static_cast<double>(std::get<Choice>(control.kind).words.size()) - 1.0;
+    return std::clamp(std::round(value), 0.0, last);
+}
+
 void set(Settings& settings, const Lesson& lesson, const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string::npos)

@@ -16,6 +16,9 @@ std::vector<double> stops_of(const Control& control);
 /// The value as the command line has it: "12.5", or a choice's word.
 std::string value_text(const Control& control, double value);
 
+/// The nearest value that the control can have, with as many digits as the command line gives it.
+double held(const Control& control, double value);
+
 /// "CONTROL=VALUE" over the settings. Throws UsageError, which says what was expected, for a
 /// control that the lesson has not, and a value out of range.
 void set(Settings& settings, const Lesson& lesson, const std::string& assignment);

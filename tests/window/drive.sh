@@ -31,8 +31,12 @@ export DISPLAY=:$number SDL_VIDEODRIVER=x11
 # ---- where the controls stand
 
 declare -A places
-while read -r name x y w h; do places[$name]="$x $y $w $h"; done \
-    < <("$programs/scanlight-demo" "${options[@]}" --controls)
+read_places() { # OPTIONS...: of what the window shows
+    local name x y w h
+    while read -r name x y w h; do places[$name]="$x $y $w $h"; done \
+        < <("$programs/scanlight-demo" "${options[@]}" "$@" --controls)
+}
+read_places
 ((${#places[@]} > 20)) || fail "no controls"
 
 "$programs/scanlight-demo" "${options[@]}" &
@@ -112,7 +116,48 @@ key f
 expect "framed by a key" 'size = \[800, 600\]'
 ! grep -q 'eye' "teapot-$saved.toml" || fail "framed: the eye is still there"
 
+# ---- the lessons
+
+read_size() { # PNG: its width and height, which stand in its first bytes
+    od -An -tu1 -j16 -N8 "$1" | awk '{print $3 * 256 + $4, $7 * 256 + $8}'
+}
+expect_lesson() { # LESSON PANELS_IN_A_ROW WORDS...: that its saved picture is the command line's
+    local name=$1 panels=$2 wide high
+    shift 2
+    ((++saved_lessons))
+    press save-picture
+    [[ -s $name.png ]] || fail "$name: nothing saved"
+    read -r wide high < <(read_size "$name.png")
+    "$programs/scanlight-demo" --lesson "$name" "$@" -s "$((wide / panels))x$high" -o expected.png \
+        >/dev/null
+    "$programs/scanlight" diff "$name.png" expected.png >/dev/null || fail "$name: another picture"
+    rm "$name.png"
+    echo "drive: lesson $name $*"
+}
+saved_lessons=0
+
+press lessons
+read -r x y w h <<<"${places[lessons]}"
+click $((x + 30)) $((y + h + 14 + 20 * 3))
+read_places --window --lesson lost-highlight
+key Home
+key Right
+key Right
+expect_lesson lost-highlight 3 --set level=2
+press next
+press next
+read_places --window --lesson perspective
+slide azimuth 60 99
+expect_lesson perspective 2 --set azimuth=45
+for _ in 1 2 3; do key Next; done
+key End
+key Left
+expect_lesson phong-terms 4 --set n=80
+key Escape
+read_places
+expect "back to the scene" 'shading = "gouraud"'
+
 # The system's wish to end is heard as the window's own.
 kill -TERM "$demo"
 wait "$demo" || fail "the window ends with an error"
-echo "drive: $saved pictures, each the command line's"
+echo "drive: $saved pictures and $saved_lessons lessons, each the command line's"

@@ -10,6 +10,7 @@
 #include "apps/scanlight/text_table.h"
 #include "apps/scene/parse.h"
 #include "mesh/trigonometry.h"
+#include "render/draw.h"
 #include "shading/cook_torrance.h"
 #include "shading/phong.h"
 #include "shading/reflection.h"
@@ -175,11 +176,21 @@ std::vector<Number> numbers_of(const Directions& at, const std::string& metal, d
     return numbers;
 }
 
+/// The pixel that was picked, or the nearest to it that shows the teapot.
+Pixel pixel_of(const Settings& settings, const Stage& stage) {
+    const auto size = stage.options().size;
+    const Pixel picked{std::min(static_cast<int>(settings.at("x") * size.width), size.width - 1),
+                       std::min(static_cast<int>(settings.at("y") * size.height), size.height - 1)};
+    const auto& depth_settings = stage.options().settings;
+    return nearest_surface(
+        render::draw_depth(stage.scene(), depth_settings, size).framebuffer.depth, picked);
+}
+
 Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& means) {
     const std::string& metal = metals[static_cast<std::size_t>(settings.at("metal"))];
     const double m = settings.at("m");
     const Stage stage(metal_arguments(metal, m), size);
-    const Pixel pixel{size.width * 28 / 100, size.height * 45 / 100};  // in the highlight
+    const Pixel pixel = pixel_of(settings, stage);
     const Directions at = picked_point(stage, pixel).directions;
     const double light_deg =
         std::acos(std::clamp(shading::dot(at.N, at.L), -1.0, 1.0)) * 180.0 / mesh::pi;
@@ -195,7 +206,11 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
 
 Lesson cook_torrance_lesson() {
     return {"cook-torrance",
-            {{"m", "m", Slider{0.1, 0.6, 6, 0.3, 2}}, {"metal", "", Choice{metals, 1}}},
+            {{"m", "m", Slider{0.1, 0.6, 6, 0.3, 2}},
+             {"metal", "", Choice{metals, 1}},
+             // In the highlight at first.
+             {"x", "x", Slider{0.0, 1.0, 101, 0.28, 3}, Moved::by_pointing, Pointed::column},
+             {"y", "y", Slider{0.0, 1.0, 101, 0.45, 3}, Moved::by_pointing, Pointed::row}},
             {{"shading/cook_torrance.h", "cook_torrance"},
              {"shading/microfacets.h", "beckmann_facets"},
              {"shading/microfacets.h", "facets_open"},

@@ -111,7 +111,8 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
 
 Lesson mach_bands_lesson() {
     return {"mach-bands",
-            {{"cut", "y", Slider{0.1, 0.9, 9, 0.4, 2}}, {"slices", "", Slider{8, 24, 3, 16}}},
+            {{"cut", "y", Slider{0.1, 0.9, 9, 0.4, 3}, Moved::by_pictures, Pointed::row},
+             {"slices", "", Slider{8, 24, 3, 16}}},
             {{"shading/perception.h", "lateral_inhibition"},
              {"render/flat.h", "FlatTechnique"},
              {"render/gouraud.h", "GouraudTechnique"}},

@@ -22,9 +22,6 @@ namespace {
 constexpr glm::dvec3 outside{3.6, 0.6, -3.4};
 constexpr glm::dvec3 inside{1.0, -0.4, -3.0};
 
-/// Of the picked pixel, as a share of the height: it lies on lit floor and dark floor.
-constexpr double picked_height = 0.51;
-
 constexpr double floor_height = -1.0;
 
 const std::string light = " --light point:-1,3,2.5";
@@ -137,7 +134,7 @@ Panel overview(const Settings& settings, raster::Viewport size, const apps::Mean
 
 Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& means) {
     const Pixel pixel{static_cast<int>(settings.at("x") * size.width),
-                      static_cast<int>(picked_height * size.height)};
+                      static_cast<int>(settings.at("y") * size.height)};
     const Stage by_zfail(arguments(settings, "zfail"), size);
     const Panel wrong =
         panel_of("zpass-from-zero", arguments(settings, "zpass-from-zero"), size, means);
@@ -161,7 +158,10 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
 
 Lesson shadow_volumes_lesson() {
     return {"shadow-volumes",
-            {{"eye", "", Slider{0, 1, 7, 0, 2}}, {"x", "x", Slider{0.1, 0.9, 9, 0.3, 2}}},
+            {{"eye", "", Slider{0, 1, 7, 0, 2}},
+             {"x", "x", Slider{0.1, 0.9, 9, 0.3, 3}, Moved::by_pictures, Pointed::column},
+             // At first the row lies on lit floor and dark floor.
+             {"y", "y", Slider{0.01, 0.99, 99, 0.51, 3}, Moved::by_pointing, Pointed::row}},
             {{"render/shadow_volume.h", "ShadowVolume"},
              {"mesh/silhouette.h", "SilhouetteFinder::from"},
              {"render/shadows.h", "count_shadows"},

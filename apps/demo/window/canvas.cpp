@@ -105,7 +105,7 @@ void copy(const Pixels& pixels, SDL_Texture& texture) {
 }  // namespace
 
 void Sheet::show(const Pixels& pixels, const std::string& name, SDL_Renderer* renderer) {
-    if (name == name_ && texture_ != nullptr) return;
+    if (shows(name)) return;
     if (texture_ == nullptr || pixels.width() != width_ || pixels.height() != height_) {
         width_ = pixels.width();
         height_ = pixels.height();

@@ -14,6 +14,7 @@ namespace scanlight::apps::window {
 /// A picture on its way to the screen.
 class Sheet {
 public:
+    bool shows(const std::string& name) const { return name == name_ && texture_ != nullptr; }
     /// Takes over the pixels, if they are not those that it has already; `name` tells.
     void show(const Pixels& pixels, const std::string& name, SDL_Renderer* renderer);
     /// Draws what is visible of it.

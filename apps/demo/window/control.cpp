@@ -18,7 +18,7 @@ namespace scanlight::apps::window {
 
 namespace {
 
-constexpr float subscript_drop = 6.0f;  // pixels
+constexpr float subscript_drop = 0.38f;  // of the letters' height
 constexpr int digits = 3;
 
 std::string id_of(const Parameter& parameter) {
@@ -168,16 +168,24 @@ std::optional<Value> draw_control(const Parameter& parameter, const std::optiona
     return std::nullopt;
 }
 
+Box place_of_item() {
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const auto whole = [](float x) { return static_cast<int>(x); };
+    return {whole(low.x), whole(low.y), whole(high.x - low.x), whole(high.y - low.y)};
+}
+
 void draw_symbol(const std::string& symbol) {
     const auto pieces = pieces_of(symbol);
     ImGui::TextUnformatted(pieces.front().text.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 line(ImGui::GetItemRectMax().x, ImGui::GetItemRectMin().y);
+    const float drop = std::round(subscript_drop * ImGui::GetFontSize());
     float x = line.x;
     for (const auto& [text, place] : std::span(pieces).subspan(1)) {
         const bool is_low = place == Piece::low;
         ImFont* font = is_low ? subscript_font() : ImGui::GetFont();
-        list.AddText(font, font->FontSize, {x, line.y + (is_low ? subscript_drop : 0.0f)},
+        list.AddText(font, font->FontSize, {x, line.y + (is_low ? drop : 0.0f)},
                      ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
         x += font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.c_str()).x;
     }

@@ -127,6 +127,10 @@ WindowState after_key(WindowState state, char letter) {
         case 'p':
             state.picked = state.picked ? std::nullopt : state.mouse;
             return state;
+        case 'c':
+            state.subject = Subject::lesson;
+            state.drag = {};
+            return state;
         default:
             return state;
     }
@@ -160,6 +164,7 @@ struct After {
         });
     }
     WindowState operator()(const Key& key) { return after_key(std::move(state), key.letter); }
+    WindowState operator()(NamedKey) { return std::move(state); }
 };
 
 }  // namespace

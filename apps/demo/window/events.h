@@ -29,13 +29,15 @@ struct Wheel {
 struct Key {
     char letter = ' ';  // lower case, or '\t'
 };
-using Event = std::variant<Press, Move, Release, Leave, Wheel, Key>;
+enum class NamedKey { left, right, up, down, home, end, page_up, page_down, escape };
+using Event = std::variant<Press, Move, Release, Leave, Wheel, Key, NamedKey>;
 
 /// The cameras by which the two views were drawn.
 using Cameras = std::array<render::Camera, 2>;
 
-/// What an event makes of the state. A left drag takes a light's handle or the divider, or else
-/// turns the camera; with shift, or by another button, it pans. Cameras of both views move alike.
+/// What an event makes of the state while a scene is shown. A left drag takes a light's handle or
+/// the divider, or else turns the camera; with shift, or by another button, it pans. Cameras of
+/// both views move alike.
 WindowState after(WindowState state, const Event& event, const Cameras& cameras);
 
 /// What the mouse would take hold of.

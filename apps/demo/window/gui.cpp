@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "apps/demo/texts.h"
 #include "apps/demo/window/gui_draw.h"
 
 namespace scanlight::apps::window {
@@ -12,22 +13,46 @@ namespace {
 
 constexpr float letter_height = 15.0f;
 constexpr float subscript_height = 11.0f;
+constexpr float small_height = 13.0f;
 
 /// Debian's fonts-dejavu-core has the Greek that formulas need; ImGui's own font has not.
-void add_fonts(ImFontAtlas& fonts) {
-    static constexpr ImWchar ranges[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2027,
-                                         0x2190, 0x21ff, 0x2200, 0x22ff, 0};
-    const char* path = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+constexpr const char* usual_path = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+constexpr const char* chinese_path = "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf";
+
+/// The letters of formulas, and those of all words of the course.
+ImVector<ImWchar> letters() {
+    static constexpr ImWchar usual[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2027,
+                                        0x2190, 0x21ff, 0x2200, 0x22ff, 0};
+    ImFontGlyphRangesBuilder builder;
+    builder.AddRanges(usual);
+    for (const auto& [name, chapter] : demo::texts().chapters()) {
+        builder.AddText(chapter.formula.c_str());
+        for (const auto& words : {chapter.english, chapter.chinese}) {
+            for (const auto& [key, text] : words)
+                builder.AddText(text.c_str());
+        }
+    }
+    ImVector<ImWchar> ranges;
+    builder.BuildRanges(&ranges);
+    return ranges;
+}
+
+void add_font(ImFontAtlas& fonts, float height, const ImWchar* ranges) {
     ImFontConfig config;
     config.OversampleH = 1;
     config.PixelSnapH = true;  // letters are copied pixel for pixel
-    for (const float height : {letter_height, subscript_height}) {
-        if (std::filesystem::exists(path)) {
-            fonts.AddFontFromFileTTF(path, height, &config, ranges);
-        } else {
-            fonts.AddFontDefault();
-        }
+    if (!std::filesystem::exists(usual_path)) {
+        fonts.AddFontDefault();
+        return;
     }
+    fonts.AddFontFromFileTTF(usual_path, height, &config, ranges);
+    config.MergeMode = true;  // what the first has not is taken from the second
+    if (has_chinese_letters()) fonts.AddFontFromFileTTF(chinese_path, height, &config, ranges);
+}
+
+void add_fonts(ImFontAtlas& fonts, const ImVector<ImWchar>& ranges) {
+    for (const float height : {letter_height, subscript_height, small_height})
+        add_font(fonts, height, ranges.Data);
 }
 
 void set_shapes(ImGuiStyle& style) {
@@ -76,7 +101,8 @@ Gui::Gui(SDL_Renderer* renderer) : context_(ImGui::CreateContext()) {
     io.IniFilename = nullptr;  // nothing is left on anyone's disk
     io.BackendRendererName = "scanlight";
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-    add_fonts(*io.Fonts);
+    const ImVector<ImWchar> ranges = letters();  // read until there is a texture
+    add_fonts(*io.Fonts, ranges);
     set_shapes(ImGui::GetStyle());
     set_colors(ImGui::GetStyle());
     input_ = std::make_unique<GuiInput>();
@@ -101,6 +127,14 @@ bool Gui::wants_mouse() const {
 
 bool Gui::wants_keys() const {
     return ImGui::GetIO().WantTextInput;
+}
+
+bool has_chinese_letters() {
+    return std::filesystem::exists(chinese_path) && std::filesystem::exists(usual_path);
+}
+
+ImFont* small_font() {
+    return ImGui::GetIO().Fonts->Fonts[2];
 }
 
 ImFont* subscript_font() {

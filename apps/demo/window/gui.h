@@ -36,6 +36,13 @@ private:
     Sdl<SDL_Texture> font_;
 };
 
+/// Whether there are letters for Chinese; Debian has them in this package.
+bool has_chinese_letters();
+inline constexpr const char* chinese_package = "fonts-droid-fallback";
+
+/// Letters for captions and plots, while there is a Gui.
+ImFont* small_font();
+
 /// The smaller letters, while there is a Gui.
 ImFont* subscript_font();
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "apps/demo/window/control.h"
+#include "apps/demo/window/course_list.h"
 #include "apps/demo/window/light_handles.h"
 #include "mesh/shapes.h"
 
@@ -19,7 +20,9 @@ constexpr float news_height = 122.0f;  // always the same, so that no control ju
 
 constexpr const char* help =
     "Drag to turn, with the right button to move, the wheel to enlarge; drag a light by its disc. "
-    "1 to 4 arrange the views, Tab takes the other, F frames, L is the loupe, P holds its pixel.";
+    "1 to 4 arrange the views, Tab takes the other, F frames, L is the loupe, P holds its pixel, C "
+    "is "
+    "the course.";
 
 constexpr std::pair<Arrangement, const char*> arrangements[] = {
     {Arrangement::one, "One"},
@@ -98,10 +101,7 @@ Panel::Result Panel::draw(WindowState state, const PanelNews& news, int x, int h
 }
 
 void Panel::note_place(const std::string& name) {
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const ImVec2 high = ImGui::GetItemRectMax();
-    const auto whole = [](float x) { return static_cast<int>(x); };
-    places_[name] = {whole(low.x), whole(low.y), whole(high.x - low.x), whole(high.y - low.y)};
+    places_[name] = place_of_item();
 }
 
 bool Panel::draw_button(const std::string& name, const std::string& label, Look look) {
@@ -154,6 +154,8 @@ void Panel::draw_shapes(WindowState& state) {
     if (draw_button("frame", "Frame", Look::plain))
         state = framed(std::move(state), render::ViewAngles{});
     explain("Look at all of it, from the usual side (F).");
+    ImGui::SameLine();
+    state = draw_course_list(std::move(state), -1.0f, places_);
 }
 
 Wish Panel::draw_wishes() {

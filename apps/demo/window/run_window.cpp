@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 #include <vector>
 
+#include "apps/demo/settings.h"
 #include "apps/demo/window/camera_moves.h"
 #include "apps/demo/window/frame_times.h"
 #include "apps/demo/window/window.h"
@@ -78,10 +80,23 @@ int stay_open(Window& window) {
     return 0;
 }
 
+LessonState lesson_of(const WindowOptions& options) {
+    const demo::Language language = demo::parse_language(options.language);
+    if (options.lesson.empty()) return opened(0, language);
+    LessonState state = opened(options.lesson, language);
+    for (const std::string& assignment : options.assignments)
+        demo::set(state.settings, state.lesson(), assignment);
+    return state;
+}
+
 }  // namespace
 
 int run_window(const WindowOptions& options) {
+    const LessonState lesson = lesson_of(options);
     Window window(options.scene);
+    WindowState state = window.state();
+    state.lesson = lesson;
+    window.set_state(options.lesson.empty() ? std::move(state) : with_lesson(state, lesson));
     if (options.measured_frames > 0) return measure(window, options.measured_frames);
     if (!options.snapshot.empty()) return take_snapshot(window, options.snapshot);
     if (options.lists_controls) return list_controls(window);

@@ -21,14 +21,23 @@ std::string stem_of(const SceneOptions& options) {
     return name.empty() || name == "-" ? "scanlight" : name;
 }
 
-}  // namespace
-
-std::string free_path(const SceneOptions& options, const std::string& ending) {
-    const std::string stem = stem_of(options);
+std::string free_path_of(const std::string& stem, const std::string& ending) {
     std::string path = stem + ending;
     for (int i = 2; std::filesystem::exists(path); ++i)
         path = stem + "-" + std::to_string(i) + ending;
     return path;
+}
+
+}  // namespace
+
+std::string free_path(const SceneOptions& options, const std::string& ending) {
+    return free_path_of(stem_of(options), ending);
+}
+
+std::string save_lesson(const demo::Screen& screen, const LessonState& state) {
+    const std::string path = free_path_of(state.lesson().name, ".png");
+    raster::save_image(path, demo::picture_of(screen));
+    return "saved " + path;
 }
 
 std::string save_picture(const Pixels& pixels, const SceneOptions& options) {

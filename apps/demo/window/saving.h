@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "apps/demo/window/lesson_state.h"
 #include "apps/demo/window/painter.h"
 
 namespace scanlight::apps::window {
@@ -12,6 +13,7 @@ std::string free_path(const SceneOptions& options, const std::string& ending);
 
 // Each returns what was done, for a person. Throws ImageError or UsageError.
 
+std::string save_lesson(const demo::Screen& screen, const LessonState& state);
 std::string save_picture(const Pixels& pixels, const SceneOptions& options);
 std::string save_scene(const SceneOptions& options);
 

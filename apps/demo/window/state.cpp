@@ -97,6 +97,13 @@ WindowState framed(WindowState state, const render::ViewAngles& view) {
     return state;
 }
 
+WindowState with_lesson(WindowState state, LessonState lesson) {
+    state.subject = Subject::lesson;
+    state.lesson = std::move(lesson);
+    state.drag = {};
+    return state;
+}
+
 WindowState with_other_alike(WindowState state) {
     state.of(other(state.chosen)) = state.current();
     return with_sizes(std::move(state));

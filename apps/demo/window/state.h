@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "apps/demo/window/box.h"
+#include "apps/demo/window/lesson_state.h"
 #include "apps/scene/scene_options.h"
 #include "render/camera.h"
 
@@ -19,28 +21,11 @@ enum class View { left, right };
 /// curtain were drawn; each whole in its own part; or what is different between them.
 enum class Arrangement { one, wipe, beside, difference };
 
+/// What the window is about: a scene, seen freely, or a lesson of the course.
+enum class Subject { scene, lesson };
+
 /// Whether all that is known of a pixel is told.
 enum class Loupe { closed, open };
-
-/// In pixels of the canvas, from its upper left corner.
-struct Point {
-    double x = 0.0;
-    double y = 0.0;
-    bool operator==(const Point&) const = default;
-};
-
-/// Columns [x, x + width) and rows [y, y + height) of the canvas.
-struct Box {
-    int x = 0;
-    int y = 0;
-    int width = 0;
-    int height = 0;
-
-    bool holds(Point p) const {
-        return p.x >= x && p.x < x + width && p.y >= y && p.y < y + height;
-    }
-    bool operator==(const Box&) const = default;
-};
 
 // What the mouse has hold of. A drag is reckoned from where it began, so that it has no drift.
 
@@ -70,6 +55,8 @@ struct WindowState {
     std::optional<Point> mouse;  // over the canvas
     Loupe loupe = Loupe::closed;
     std::optional<Point> picked;  // the pixel that the loupe holds; none: it follows the mouse
+    Subject subject = Subject::scene;
+    LessonState lesson = opened(0, demo::Language::english);  // that is shown, or was last
 
     SceneOptions& of(View view) { return views[static_cast<std::size_t>(view)]; }
     const SceneOptions& of(View view) const { return views[static_cast<std::size_t>(view)]; }
@@ -107,6 +94,9 @@ WindowState with_input(WindowState state, const std::string& input);
 
 /// Both views look from the side that is named, as far away as shows all.
 WindowState framed(WindowState state, const render::ViewAngles& view);
+
+/// The lesson is what the window shows.
+WindowState with_lesson(WindowState state, LessonState lesson);
 
 /// The other view's settings become those of the chosen one.
 WindowState with_other_alike(WindowState state);

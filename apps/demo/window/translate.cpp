@@ -2,6 +2,8 @@
 
 #include <SDL.h>
 
+#include <utility>
+
 namespace scanlight::apps::window {
 
 namespace {
@@ -32,9 +34,25 @@ std::optional<Event> pressed(const SDL_MouseButtonEvent& button, const WindowSta
     return Press{at, button_of(button.button), is_shifted};
 }
 
+constexpr std::pair<SDL_Keycode, NamedKey> named_keys[] = {
+    {SDLK_LEFT, NamedKey::left},      {SDLK_RIGHT, NamedKey::right},
+    {SDLK_UP, NamedKey::up},          {SDLK_DOWN, NamedKey::down},
+    {SDLK_HOME, NamedKey::home},      {SDLK_END, NamedKey::end},
+    {SDLK_PAGEUP, NamedKey::page_up}, {SDLK_PAGEDOWN, NamedKey::page_down},
+    {SDLK_ESCAPE, NamedKey::escape},
+};
+
+std::optional<NamedKey> named(SDL_Keycode code) {
+    for (const auto& [sdl_code, key] : named_keys) {
+        if (sdl_code == code) return key;
+    }
+    return std::nullopt;
+}
+
 std::optional<Event> typed(const SDL_KeyboardEvent& key) {
     const SDL_Keycode code = key.keysym.sym;
     if ((key.keysym.mod & (KMOD_CTRL | KMOD_ALT | KMOD_GUI)) != 0) return std::nullopt;
+    if (const auto key = named(code)) return *key;
     if (code == SDLK_TAB) return Key{'\t'};
     if (code < ' ' || code > '~') return std::nullopt;
     return Key{static_cast<char>(code)};

@@ -76,7 +76,8 @@ bool Window::step() {
     int height = 0;
     SDL_GetRendererOutputSize(renderer_.get(), &width, &height);
     gui_.begin_frame(width, height, frame_seconds);
-    draw_panel();
+    if (shows_lesson()) paint();  // the panel has the numbers of the pictures
+    shows_lesson() ? draw_lesson_panel() : draw_panel();
     paint();
     draw_overlay();
     draw_frame();
@@ -107,7 +108,8 @@ void Window::take(const SDL_Event& event) {
     if (event.type == SDL_KEYDOWN && gui_.wants_keys()) return;
     if (is_of_mouse(event) && gui_.wants_mouse()) return;
     if (const auto meant = translated(event, state_))
-        state_ = after(std::move(state_), *meant, cameras());
+        state_ = shows_lesson() ? after_in_lesson(std::move(state_), *meant, lesson_view_.sight())
+                                : after(std::move(state_), *meant, cameras());
 }
 
 void Window::open(const std::string& path) {
@@ -133,11 +135,19 @@ void Window::fit_canvas() {
 
 void Window::paint() {
     try {
-        paint_views();
+        paint_subject();
         drawn_ = state_;
     } catch (const std::exception& error) {  // what can't be drawn is not taken over
         message_ = error.what();
         state_ = drawn_;
+        paint_subject();
+    }
+}
+
+void Window::paint_subject() {
+    if (shows_lesson()) {
+        lesson_view_.paint(state_.lesson, state_.canvas);
+    } else {
         paint_views();
     }
 }
@@ -189,6 +199,15 @@ PanelNews Window::news() const {
     return news;
 }
 
+void Window::draw_lesson_panel() {
+    LessonPanel::Result result =
+        lesson_panel_.draw(std::move(state_), lesson_view_.sight(), message_, drawn_.canvas.width,
+                           drawn_.canvas.height);
+    state_ = std::move(result.state);
+    if (!result.to_copy.empty()) copy(result.to_copy);
+    if (result.wish != Wish::nothing) fulfil(result.wish);
+}
+
 void Window::draw_panel() {
     Panel::Result result =
         panel_.draw(std::move(state_), news(), state_.canvas.width, state_.canvas.height);
@@ -197,6 +216,10 @@ void Window::draw_panel() {
 }
 
 void Window::draw_overlay() {
+    if (shows_lesson()) {
+        lesson_view_.draw_words(state_.lesson);
+        return;
+    }
     draw_marks(state_, cameras());
     if (state_.arrangement == Arrangement::difference && contrast_)
         draw_label(summary_of(contrast_->difference), {10.0, 10.0});
@@ -212,6 +235,12 @@ void Window::draw_overlay() {
 void Window::draw_frame() {
     SDL_SetRenderDrawColor(renderer_.get(), 30, 30, 32, 255);
     SDL_RenderClear(renderer_.get());
+    shows_lesson() ? lesson_view_.draw_pictures(renderer_.get()) : draw_panes();
+    gui_.draw(renderer_.get());
+    SDL_RenderPresent(renderer_.get());
+}
+
+void Window::draw_panes() {
     for (const Pane& pane : panes_of(state_)) {
         const auto index = static_cast<std::size_t>(pane.view);
         const bool is_contrast = state_.arrangement == Arrangement::difference && contrast_;
@@ -221,11 +250,15 @@ void Window::draw_frame() {
                    is_contrast ? contrasted_ : painter.drawn(), renderer_.get());
         sheet.draw(pane, renderer_.get());
     }
-    gui_.draw(renderer_.get());
-    SDL_RenderPresent(renderer_.get());
 }
 
 void Window::choose_cursor() {
+    if (shows_lesson()) {
+        const bool can_point = state_.mouse && !gui_.wants_mouse() &&
+                               can_point_at(state_.lesson, *state_.mouse, lesson_view_.sight());
+        SDL_SetCursor(cursors_[can_point ? 2 : 0].get());
+        return;
+    }
     const Target target = state_.mouse && !gui_.wants_mouse()
                               ? target_at(state_, *state_.mouse, cameras())
                               : Target::nothing;
@@ -236,16 +269,22 @@ void Window::choose_cursor() {
 void Window::fulfil(Wish wish) {
     try {
         const SceneOptions& view = state_.current();
+        if (wish == Wish::save_picture && shows_lesson()) {
+            message_ = save_lesson(lesson_view_.screen(), state_.lesson);
+            return;
+        }
         if (wish == Wish::save_picture)
             message_ = save_picture(painter(state_.chosen).pixels(), view);
         if (wish == Wish::save_scene) message_ = save_scene(view);
-        if (wish == Wish::copy_command_line) {
-            message_ = command_line_of(view);
-            SDL_SetClipboardText(message_.c_str());
-        }
+        if (wish == Wish::copy_command_line) copy(command_line_of(view));
     } catch (const std::exception& error) {
         message_ = error.what();
     }
+}
+
+void Window::copy(const std::string& command_line) {
+    message_ = command_line;
+    SDL_SetClipboardText(message_.c_str());
 }
 
 raster::Image8 Window::screenshot() const {

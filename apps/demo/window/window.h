@@ -7,6 +7,8 @@
 
 #include "apps/demo/window/canvas.h"
 #include "apps/demo/window/gui.h"
+#include "apps/demo/window/lesson_panel.h"
+#include "apps/demo/window/lesson_view.h"
 #include "apps/demo/window/loupe.h"
 #include "apps/demo/window/painter.h"
 #include "apps/demo/window/panel.h"
@@ -39,21 +41,29 @@ public:
     const Painter& painter(View view) const { return painters_[static_cast<std::size_t>(view)]; }
     /// Of the two views, where both are of one size and drawn.
     const std::optional<Contrast>& contrast() const { return contrast_; }
-    const std::map<std::string, Box>& controls() const { return panel_.places(); }
+    const LessonView& lesson_view() const { return lesson_view_; }
+    const std::map<std::string, Box>& controls() const {
+        return shows_lesson() ? lesson_panel_.places() : panel_.places();
+    }
     const std::string& message() const { return message_; }
     /// The whole window as it was last drawn.
     raster::Image8 screenshot() const;
 
 private:
+    bool shows_lesson() const { return state_.subject == Subject::lesson; }
     bool take_events();
     void take(const SDL_Event& event);
     void open(const std::string& path);
     void fit_canvas();
     void draw_panel();
+    void draw_lesson_panel();
     void paint();
+    void paint_subject();
     void paint_views();
     void draw_frame();
     void draw_overlay();
+    void draw_panes();
+    void copy(const std::string& command_line);
     void fulfil(Wish wish);
     Cameras cameras() const;
     PanelNews news() const;
@@ -64,6 +74,8 @@ private:
     Sdl<SDL_Renderer> renderer_;
     Gui gui_;
     Panel panel_;
+    LessonPanel lesson_panel_;
+    LessonView lesson_view_;
     ModelShelf shelf_;
     std::array<Painter, 2> painters_;
     std::array<Sheet, 2> sheets_;

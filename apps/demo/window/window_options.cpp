@@ -11,6 +11,21 @@ namespace {
 
 constexpr raster::Viewport usual_canvas{960, 720};
 
+void add_lesson_options(CLI::App& app, WindowOptions& options) {
+    CLI::Option* window =
+        app.add_flag("--window")->description("the window, even for what else is drawn without");
+    CLI::Option* lesson = app.add_option("--lesson", options.lesson, "the lesson to open")
+                              ->type_name("NAME")
+                              ->needs(window);
+    app.add_option("--set", options.assignments, "where one of its controls stands, repeatable")
+        ->type_name("CONTROL=VALUE")
+        ->allow_extra_args(false)
+        ->needs(lesson);
+    app.add_option("--language", options.language, "of the lessons: en or zh")
+        ->type_name("en|zh")
+        ->capture_default_str();
+}
+
 }  // namespace
 
 void add_window_options(CLI::App& app, WindowOptions& options) {
@@ -26,6 +41,7 @@ void add_window_options(CLI::App& app, WindowOptions& options) {
         ->type_name("PNG");
     app.add_flag("--controls", options.lists_controls,
                  "print where each control of the window stands, for scripts, and end");
+    add_lesson_options(app, options);
 }
 
 WindowOptions completed(WindowOptions options) {
