@@ -36,21 +36,22 @@ const Control& control_named(const Lesson& lesson, const std::string& name) {
 }
 
 /// A slider stands at no more digits than it shows.
-void check_digits(const Slider& slider, const std::string& name, double value) {
+void check_digits(const Slider& slider, double value, const std::string& asked) {
     const double unit = std::pow(10.0, slider.digits);
     const auto text = [&](double scaled) { return apps::fixed(scaled / unit, slider.digits); };
     if (std::abs(value * unit - std::round(value * unit)) < 1e-6) return;
-    throw UsageError(name + " has nothing between " + text(std::floor(value * unit)) + " and " +
-                     text(std::ceil(value * unit)));
+    throw UsageError(asked + ": expected " + text(std::floor(value * unit)) + " or " +
+                     text(std::ceil(value * unit)) + ", the nearest");
 }
 
 double parsed(const Slider& slider, const std::string& name, const std::string& text) {
     const double value = apps::parse_number(text, name);
+    const std::string asked = name + " '" + text + "'";
     if (!(value >= slider.low && value <= slider.high))
-        throw UsageError(name + " '" + text + "': expected a number from " +
+        throw UsageError(asked + ": expected a number from " +
                          apps::fixed(slider.low, slider.digits) + " to " +
                          apps::fixed(slider.high, slider.digits));
-    check_digits(slider, name, value);
+    check_digits(slider, value, asked);
     return value;
 }
 

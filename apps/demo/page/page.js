@@ -370,7 +370,7 @@ function drawFrame() {
   const list = document.getElementById("contents");
   list.replaceChildren(...items);
   const current = items[state.lesson];  // on a phone the list is a row
-  list.scrollLeft = current.offsetLeft - (list.clientWidth - current.offsetWidth) / 2;
+  list.scrollLeft = current.offsetLeft - Math.max(0, list.clientWidth - current.offsetWidth) / 2;
 }
 
 function draw() {
