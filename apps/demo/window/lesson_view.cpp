@@ -50,7 +50,8 @@ Pixels packed(const raster::Image8& picture) {
     for (int y = 0; y < picture.height(); ++y) {
         for (int x = 0; x < picture.width(); ++x) {
             const auto bytes = picture.pixel(x, y);
-            pixels.at(x, y) = bytes[0] | bytes[1] << 8u | bytes[2] << 16u | 0xff000000u;
+            const auto channel = [&](std::size_t c) { return std::uint32_t{bytes[c]} << 8 * c; };
+            pixels.at(x, y) = channel(0) | channel(1) | channel(2) | 0xff000000u;
         }
     }
     return pixels;
