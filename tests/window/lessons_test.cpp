@@ -139,8 +139,8 @@ TEST_F(LessonWindow, ItsCommandIsCopied) {
     person.slide("cut", 0.3, 0.8);
     person.wheel({1200.0, 500.0}, -60);
     person.click_on("copy 0");
-    const std::string copied = SDL_GetClipboardText();
-    EXPECT_EQ(copied, command_of(person.state().lesson, asked_size(person)));
+    const std::unique_ptr<char, void (*)(void*)> copied(SDL_GetClipboardText(), SDL_free);
+    EXPECT_EQ(std::string(copied.get()), command_of(person.state().lesson, asked_size(person)));
 }
 
 TEST_F(LessonWindow, FitsASmallerWindow) {
