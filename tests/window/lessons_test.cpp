@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <string>
+
 #include "apps/demo/settings.h"
 #include "tests/window/person.h"
 
