@@ -23,13 +23,6 @@ int zpass_of(const PixelShadow& shadow) {
     return sum;
 }
 
-int zfail_of(const PixelShadow& shadow) {
-    int sum = 0;
-    for (const auto& crossing : shadow.crossings)
-        sum -= is_before(crossing, shadow) ? 0 : crossing.entered;
-    return sum;
-}
-
 std::string part_word(VolumePart part) {
     switch (part) {
         case VolumePart::cap:
@@ -127,6 +120,13 @@ Json shadow_json(const PixelShadow& shadow) {
 }
 
 }  // namespace
+
+int zfail_of(const PixelShadow& shadow) {
+    int sum = 0;
+    for (const auto& crossing : shadow.crossings)
+        sum -= is_before(crossing, shadow) ? 0 : crossing.entered;
+    return sum;
+}
 
 std::string shadow_text(const PixelShadow& shadow) {
     return "Pixel " + std::to_string(shadow.x) + "," + std::to_string(shadow.y) + ", light " +

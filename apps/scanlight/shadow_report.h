@@ -16,6 +16,9 @@ struct PixelShadow {
     std::vector<render::ShadowCrossing> crossings;  // from the eye on
 };
 
+/// How many volumes the surface lies in, counted from infinity back to it.
+int zfail_of(const PixelShadow& shadow);
+
 /// For people: face by face, with the counts of z-pass and z-fail as they run.
 std::string shadow_text(const PixelShadow& shadow);
 

@@ -88,20 +88,13 @@ Table crossings_table(const apps::PixelShadow& shadow) {
     return table;
 }
 
-/// From the eye to the surface; and from infinity back to it, which takes what is entered as left.
-std::int32_t zpass(const apps::PixelShadow& shadow) {
+/// From the eye to the surface, as if the eye were in no volume.
+std::int32_t zpass_from_zero(const apps::PixelShadow& shadow) {
     std::int32_t sum = 0;
     for (const auto& crossing : shadow.crossings)
         sum += crossing.part != render::VolumePart::near_cut && crossing.depth < shadow.depth
                    ? crossing.entered
                    : 0;
-    return sum;
-}
-
-std::int32_t zfail(const apps::PixelShadow& shadow) {
-    std::int32_t sum = 0;
-    for (const auto& crossing : shadow.crossings)
-        sum -= crossing.depth < shadow.depth ? 0 : crossing.entered;
     return sum;
 }
 
@@ -144,8 +137,8 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
     Screen screen{{wrong, right,
                    panel_of("stencil", arguments(settings, "zfail --show stencil"), size, means),
                    overview(settings, size, means)},
-                  {{"count-zpass", static_cast<double>(zpass(shadow))},
-                   {"count-zfail", static_cast<double>(zfail(shadow))},
+                  {{"count-zpass", static_cast<double>(zpass_from_zero(shadow))},
+                   {"count-zfail", static_cast<double>(apps::zfail_of(shadow))},
                    {"wrong-pixels", static_cast<double>(differing)}},
                   {},
                   {crossings_table(shadow)}};
