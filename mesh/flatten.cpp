@@ -4,9 +4,9 @@
 #include <tuple>
 #include <utility>
 
+#include "mesh/face_planes.h"
 #include "mesh/group.h"
 #include "mesh/polygons.h"
-#include "mesh/uv_gradient.h"
 
 namespace scanlight::mesh {
 namespace {
@@ -22,7 +22,7 @@ public:
         mesh_.corners = first_equals();
         number_vertices();
         move_faces();
-        find_uv_gradients(mesh_);
+        find_face_planes(mesh_);
         return std::move(mesh_);
     }
 

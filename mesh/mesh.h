@@ -37,6 +37,7 @@ struct Mesh {
     std::vector<std::uint32_t> corners;        // indices of vertices
     std::vector<std::uint32_t> face_begin{0};  // faces + 1 of them, into `corners`
     std::vector<glm::vec3> face_normals;       // unit, one a face
+    std::vector<float> face_offset;            // normal . p of each face's first corner
     std::vector<glm::vec3> face_grad_u;        // of u over each face, per unit of length, object
     std::vector<glm::vec3> face_grad_v;        //   space; and of v. Empty without uvs.
     std::vector<std::uint32_t> face_material;  // one a face

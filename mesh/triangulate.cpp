@@ -1,7 +1,7 @@
 #include "mesh/triangulate.h"
 
 #include "mesh/ear_clipping.h"
-#include "mesh/uv_gradient.h"
+#include "mesh/face_planes.h"
 
 namespace scanlight::mesh {
 namespace {
@@ -33,7 +33,7 @@ Mesh triangulated(const Mesh& mesh) {
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
         append_triangles(cut, mesh, face);
     }
-    find_uv_gradients(cut);
+    find_face_planes(cut);
     return cut;
 }
 

@@ -107,6 +107,7 @@ void ObjectPass::begin_textures() {
     if (settings.shading != Shading::phong || !is_textured(*object, *frame)) return;
     textured = textured_attributes(*object);
     textures = placed_textures(*object);
+    face_matrices = render::face_matrices(*object, *frame);
     uv_unit = textured.has_uvs ? uv_unit_of(mesh().vertices) : 1.0f;
 }
 

@@ -54,6 +54,7 @@ struct ObjectPass {
     TexturedAttributes textured;                // Phong shading of a textured object:
     std::vector<PlacedTextures> textures;       // of each material; empty if there are none
     float uv_unit = 1.0f;                       // by which (u, v) are divided
+    FaceMatrices face_matrices;
     raster::PolygonStreams polygons;
     raster::Attributes attributes;
     std::vector<raster::Bin> bins;                          // by stretches of faces

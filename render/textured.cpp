@@ -35,6 +35,12 @@ std::vector<PlacedTextures> placed_textures(const Object& object) {
     return result;
 }
 
+FaceMatrices face_matrices(const Object& object, const Frame& frame) {
+    const glm::dmat4 object_from_world = glm::inverse(object.world_from_object);
+    return {glm::mat4(object_from_world * glm::dmat4(frame.world_from_screen)),
+            frame.world_from_screen, glm::mat3(glm::transpose(glm::dmat3(object_from_world)))};
+}
+
 float uv_unit_of(const mesh::Vertices& vertices) {
     float largest = 0.0f;
     for (const auto* stream : {&vertices.u, &vertices.v}) {

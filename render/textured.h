@@ -10,6 +10,7 @@
 #include "render/frame.h"
 #include "render/painted.h"
 #include "render/scene.h"
+#include "render/transform.h"
 #include "shading/bump.h"
 #include "shading/environment.h"
 #include "shading/illumination.h"
@@ -67,33 +68,52 @@ std::vector<PlacedTextures> placed_textures(const Object& object);
 /// The power of two, not below 1, by which (u, v) are divided when they are interpolated.
 float uv_unit_of(const mesh::Vertices& vertices);
 
-/// From a pixel to what its neighbours show of the plane with this normal through its point, world
-/// space. `screen` as in `point_behind`. Zero where the plane is seen edge-on.
-template <class Real>
-struct PixelSteps {
-    shading::Vec3<Real> x, y;
+/// Where an object's faces lie, as textures ask for it.
+struct FaceMatrices {
+    glm::mat4 object_from_screen;  // as `Frame::world_from_screen`
+    glm::mat4 world_from_screen;
+    glm::mat3 gradients_from_object;  // as normals
 };
 
+FaceMatrices face_matrices(const Object& object, const Frame& frame);
+
+/// Where the plane of a face goes from pixel to pixel, homogeneous, world space: see `pixel_step`.
 template <class Real>
-PixelSteps<Real> pixel_steps(const glm::mat4& world_from_screen, const shading::Vec3<Real>& screen,
-                             const shading::Vec3<Real>& point, const shading::Vec3<Real>& normal) {
-    const Real inverse_w = Real(1) / point_component(world_from_screen, 3, screen);
-    const auto derivative = [&](int column) {
-        const auto& c = world_from_screen[column];
-        return shading::Vec3<Real>((Real(c.x) - point.x * Real(c.w)) * inverse_w,
-                                   (Real(c.y) - point.y * Real(c.w)) * inverse_w,
-                                   (Real(c.z) - point.z * Real(c.w)) * inverse_w);
-    };
-    const shading::Vec3<Real> deeper = derivative(2);
-    const Real facing = shading::dot(normal, deeper);
-    const auto seen = facing * facing > Real(0);
+struct FaceSteps {
+    glm::vec<4, Real> right, down;
+};
+
+/// Of the plane normal.p = offset, object space. From pixel to pixel its depth on the screen grows
+/// by what keeps a place on the plane. Zero where the plane is seen edge-on.
+template <class Real>
+FaceSteps<Real> face_steps(const FaceMatrices& m, const shading::Vec3<Real>& normal, Real offset) {
     using shading::select;
-    const Real inverse = Real(1) / select(seen, facing, Real(1));
-    const auto along = [&](const shading::Vec3<Real>& step) {
-        const auto on_plane = step - deeper * (shading::dot(normal, step) * inverse);
-        return shading::select(seen, on_plane, shading::Vec3<Real>(Real(0)));
+    const auto off_plane = [&](int column) {
+        const glm::vec4& c = m.object_from_screen[column];
+        return shading::dot(normal, shading::Vec3<Real>(Real(c.x), Real(c.y), Real(c.z))) -
+               offset * Real(c.w);
     };
-    return {along(derivative(0)), along(derivative(1))};
+    const Real deeper = off_plane(2);
+    const auto seen = deeper * deeper > Real(0);
+    const Real inverse = Real(1) / select(seen, deeper, Real(1));
+    const auto step = [&](int column) {
+        const Real depth = -(off_plane(column) * inverse);
+        const auto part = [&](int row) {
+            const auto& w = m.world_from_screen;
+            return select(seen, Real(w[column][row]) + Real(w[2][row]) * depth, Real(0));
+        };
+        return glm::vec<4, Real>(part(0), part(1), part(2), part(3));
+    };
+    return {step(0), step(1)};
+}
+
+/// From what a pixel shows of a face to what the next one shows, world space; `point` and
+/// `inverse_w` are of the pixel's own place.
+template <class Real>
+shading::Vec3<Real> pixel_step(const glm::vec<4, Real>& step, const shading::Vec3<Real>& point,
+                               Real inverse_w) {
+    return {(step.x - point.x * step.w) * inverse_w, (step.y - point.y * step.w) * inverse_w,
+            (step.z - point.z * step.w) * inverse_w};
 }
 
 /// A gradient by the inverse transpose of the matrix that takes points.

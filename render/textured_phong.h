@@ -24,6 +24,7 @@ public:
         const shading::Material<float>& material;
         const PlacedTextures& textures;
         glm::vec3 normal;  // of the side seen
+        FaceSteps<float> steps;
         glm::vec3 grad_u, grad_v;
         float outward;
     };
@@ -34,7 +35,7 @@ public:
           settings_(settings),
           textures_(placed_textures(*placed.object)),
           uv_unit_(has.has_uvs ? uv_unit_of(placed.mesh->vertices) : 1.0f),
-          gradients_(glm::transpose(glm::inverse(glm::dmat3(placed.object->world_from_object)))) {}
+          matrices_(face_matrices(*placed.object, frame)) {}
 
     std::array<float, attribute_count> corner(std::size_t, std::uint32_t vertex, Side side) const {
         const auto& vertices = placed_.mesh->vertices;
@@ -54,12 +55,15 @@ public:
         Polygon polygon{placed_.material_of(face),
                         textures_[mesh.face_material[face]],
                         placed_.face_normal_seen(face, side),
+                        face_steps(matrices_, mesh.face_normals[face], mesh.face_offset[face]),
                         {},
                         {},
                         side == Side::front ? 1.0f : -1.0f};
         if constexpr (has.has_uvs) {
-            polygon.grad_u = transformed_gradient(gradients_, mesh.face_grad_u[face]);
-            polygon.grad_v = transformed_gradient(gradients_, mesh.face_grad_v[face]);
+            polygon.grad_u =
+                transformed_gradient(matrices_.gradients_from_object, mesh.face_grad_u[face]);
+            polygon.grad_v =
+                transformed_gradient(matrices_.gradients_from_object, mesh.face_grad_v[face]);
         }
         return polygon;
     }
@@ -70,11 +74,13 @@ public:
         const glm::vec3 screen = frame_.screen_at(fragment.x, fragment.y, fragment.depth);
         const glm::vec3 point = point_behind(frame_.world_from_screen, screen);
         const glm::vec3 normal = shading::unit_or(glm::vec3(a[0], a[1], a[2]), polygon.normal);
-        const auto steps = pixel_steps(frame_.world_from_screen, screen, point, polygon.normal);
-        const TexturedSurface<float> surface{{point, normal, frame_.view_from(point)},
-                                             {point, own_place(a, polygon), steps.x, steps.y},
-                                             color(a),
-                                             polygon.outward};
+        const float inverse_w = 1.0f / point_component(frame_.world_from_screen, 3, screen);
+        const TexturedSurface<float> surface{
+            {point, normal, frame_.view_from(point)},
+            {point, own_place(a, polygon), pixel_step(polygon.steps.right, point, inverse_w),
+             pixel_step(polygon.steps.down, point, inverse_w)},
+            color(a),
+            polygon.outward};
         return textured_pixel(surface, polygon.material, polygon.textures, frame_, settings_);
     }
 
@@ -105,7 +111,7 @@ private:
     const Settings& settings_;
     std::vector<PlacedTextures> textures_;
     float uv_unit_;
-    glm::mat3 gradients_;  // of (u, v): world from object
+    FaceMatrices matrices_;
 };
 
 }  // namespace scanlight::render

@@ -20,12 +20,15 @@ inline constexpr auto log2_coefficients = [] {
     return series;
 }();
 
-/// 1/1, 1/2, 1/3, …
+/// 1/1!, 1/2!, 1/3!, …
 template <class Real>
-inline constexpr auto exp2_ratios = [] {
+inline constexpr auto exp2_coefficients = [] {
     std::array<typename Format<Real>::Scalar, Format<Real>::exp2_terms> series{};
-    for (std::size_t k = 0; k < series.size(); ++k)
-        series[k] = static_cast<typename Format<Real>::Scalar>(1.0 / static_cast<double>(k + 1));
+    double factorial = 1;
+    for (std::size_t k = 0; k < series.size(); ++k) {
+        factorial *= static_cast<double>(k + 1);
+        series[k] = static_cast<typename Format<Real>::Scalar>(1 / factorial);
+    }
     return series;
 }();
 
@@ -51,10 +54,10 @@ Real exp2_of(Real t) noexcept {
     constexpr double ln2 = 0.69314718055994530942;
     const Real whole = nearest_whole(t);
     const Real y = (t - whole) * Real(ln2);
-    Real sum(1);
+    Real sum(0);
     for (std::size_t k = Format<Real>::exp2_terms; k-- > 0;)
-        sum = Real(1) + (y * sum) * Real(exp2_ratios<Real>[k]);
-    return sum * power_of_two(whole);
+        sum = (sum + Real(exp2_coefficients<Real>[k])) * y;
+    return (Real(1) + sum) * power_of_two(whole);
 }
 
 /// e^-y for y >= 0, with a relative error below 1e-14 in double and 8e-6 in float; like a `power`

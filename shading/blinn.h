@@ -20,8 +20,9 @@ Vec3<Real> half_vector(const Vec3<Real>& L, const Vec3<Real>& V) noexcept {
 /// with 4n. H is an argument because light and eye at infinity have but one.
 template <class Real, class Power>
 Real blinn(const Vec3<Real>& N, const Vec3<Real>& L, const Vec3<Real>& H, const Power& n) noexcept {
-    const Real highlight = power(positive_part(dot(N, H)), n);
-    return select(dot(L, N) > Real(0), highlight, Real(0));
+    const auto is_lit = dot(L, N) > Real(0);
+    if (none(is_lit)) return Real(0);
+    return select(is_lit, power(positive_part(dot(N, H)), n), Real(0));
 }
 
 }  // namespace scanlight::shading

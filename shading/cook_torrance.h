@@ -31,6 +31,7 @@ Rgb<Real> cook_torrance(const Vec3<Real>& N, const Vec3<Real>& L, const Vec3<Rea
     const Real NH = dot(N, H);
     const Real VH = dot(V, H);
     const auto is_seen_lit = (NL > Real(0)) & (NV > Real(0)) & (VH > Real(0));
+    if (none(is_seen_lit)) return Rgb<Real>(Real(0));
     const Real sure_NV = select(NV > Real(1e-4), NV, Real(1e-4));
     const Real sure_VH = select(is_seen_lit, VH, Real(1));
     const Real D = facet_density(NH, slopes);

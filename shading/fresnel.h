@@ -30,7 +30,8 @@ Real fresnel(Real c, Real n) noexcept {
 /// a = n^2 - k^2 - s^2, q = sqrt(a^2 + 4 n^2 k^2) and p = sqrt((q + a)/2):
 ///     rho_perpendicular = (q + c^2 - 2 p c)/(q + c^2 + 2 p c)
 ///     rho_parallel = rho_perpendicular (c^2 q + s^4 - 2 p c s^2)/(c^2 q + s^4 + 2 p c s^2)
-/// Born & Wolf, "Principles of Optics", 14.2. For k = 0 it is the dielectric's.
+/// Born & Wolf, "Principles of Optics", 14.2; their mean over one denominator. For k = 0 it is the
+/// dielectric's.
 template <class Real>
 Real fresnel_metal(Real c, Real n, Real k) noexcept {
     const Real c2 = c * c;
@@ -40,11 +41,10 @@ Real fresnel_metal(Real c, Real n, Real k) noexcept {
     const Real q = square_root(a * a + nk2 * nk2);
     const Real p = square_root(positive_part(q + a) * Real(0.5));
     const Real pc2 = Real(2) * (p * c);
-    const Real sum = (q + c2) + pc2;
-    const Real perpendicular = ((q + c2) - pc2) / select(sum > Real(0), sum, Real(1));
     const Real whole = c2 * q + s2 * s2;
-    const Real parallel = perpendicular * (whole - pc2 * s2) / (whole + pc2 * s2);
-    return positive_part(Real(0.5) * (perpendicular + parallel));
+    const Real below = ((q + c2) + pc2) * (whole + pc2 * s2);
+    const Real above = ((q + c2) - pc2) * whole;
+    return positive_part(above / select(below > Real(0), below, Real(1)));
 }
 
 /// Cook & Torrance 1981, for a metal of which no more is known than what it reflects straight back,

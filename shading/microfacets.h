@@ -30,8 +30,9 @@ Real beckmann_facets(Real c, Real m) noexcept {
     const Real c2 = cosine * cosine;
     const Real sin2 = positive_part(Real(1) - cosine) * (Real(1) + cosine);
     const Real m2 = m * m;
-    const Real bell = exp_of_minus(sin2 / (m2 * c2));
-    const Real density = select(bell > Real(0), bell / (m2 * (c2 * c2)), Real(0));
+    const Real inverse = Real(1) / (m2 * c2);
+    const Real bell = exp_of_minus(sin2 * inverse);
+    const Real density = select(bell > Real(0), bell * inverse * (inverse * m2), Real(0));
     return select(c > Real(0), density, Real(0));
 }
 

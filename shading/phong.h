@@ -13,8 +13,9 @@ namespace scanlight::shading {
 /// no highlight on it.
 template <class Real, class Power>
 Real phong(const Vec3<Real>& N, const Vec3<Real>& L, const Vec3<Real>& V, const Power& n) noexcept {
-    const Real highlight = power(positive_part(dot(reflected(L, N), V)), n);
-    return select(dot(L, N) > Real(0), highlight, Real(0));
+    const auto is_lit = dot(L, N) > Real(0);
+    if (none(is_lit)) return Real(0);
+    return select(is_lit, power(positive_part(dot(reflected(L, N), V)), n), Real(0));
 }
 
 }  // namespace scanlight::shading

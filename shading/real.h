@@ -21,6 +21,11 @@ constexpr Real select(bool condition, Real yes, Real no) noexcept {
     return condition ? yes : no;
 }
 
+/// Whether nobody has it: what would be done for none may be left out.
+constexpr bool none(bool condition) noexcept {
+    return !condition;
+}
+
 /// Correctly rounded, unlike the rest of `<cmath>`.
 template <class Real>
 Real square_root(Real x) noexcept {

@@ -82,7 +82,7 @@ Vec3<Real> gradient_before(const glm::mat4& m, const Vec3<Real>& g) noexcept {
 }
 
 template <class Real>
-TexturePlace<Real> place_by(Mapping mapping, const Vec3<Real>& p) noexcept {
+[[gnu::noinline]] TexturePlace<Real> place_by(Mapping mapping, const Vec3<Real>& p) noexcept {
     switch (mapping) {
         case Mapping::cylindrical:
             return CylindricalMapping<float>{}(p);
@@ -134,7 +134,7 @@ Rgb<Real> between(const Texture& t, Rgb<Real> share_of_high) noexcept {
 }
 
 template <class Real>
-Rgb<Real> solid_color(const Texture& t, const Vec3<Real>& p) noexcept {
+[[gnu::noinline]] Rgb<Real> solid_color(const Texture& t, const Vec3<Real>& p) noexcept {
     switch (t.pattern) {
         case Pattern::wood:
             return between(t, Rgb<Real>(wood(p)));
@@ -221,7 +221,7 @@ Vec3<Real> solid_height_gradient(const Texture& t, const Vec3<Real>& p) noexcept
 
 /// How a function's height grows with u and v: by differences over 1/512.
 template <class Real>
-Slopes<Real> function_slopes(const Texture& t, Real u, Real v) noexcept {
+[[gnu::noinline]] Slopes<Real> function_slopes(const Texture& t, Real u, Real v) noexcept {
     constexpr float step = 0x1p-10f;
     const auto height = [&](Real x, Real y) { return luminance(flat_color(t, x, y, Real(0))); };
     return {(height(u + Real(step), v) - height(u - Real(step), v)) * Real(0.5f / step),

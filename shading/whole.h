@@ -66,11 +66,6 @@ Real floored(Real x) noexcept {
     return select(whole > x, whole - Real(1), whole);
 }
 
-/// Whether nobody has it: what would be done for none may be left out.
-inline bool none(bool condition) noexcept {
-    return !condition;
-}
-
 /// x - floored(x): in [0, 1), or 1 where x is so little below a whole number that it rounds.
 template <class Real>
 Real fraction(Real x) noexcept {

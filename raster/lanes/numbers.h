@@ -242,9 +242,6 @@ inline std::int32_t joined_bits(Ints a) {
         bits |= lane;
     return bits;
 }
-inline std::int32_t first_lane(Ints a) {
-    return hn::GetLane(a.v);
-}
 /// One bit a lane, the first lane's the lowest.
 inline std::uint32_t bits_of(Mask mask) {
 #if HWY_TARGET == HWY_AVX3

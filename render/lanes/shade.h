@@ -2,115 +2,14 @@
 
 #include <utility>
 
-#include "raster/lanes/attributes.h"
-#include "raster/lanes/numbers.h"
-#include "render/object_pass.h"
+#include "render/lanes/pixel_lanes.h"
+#include "render/lanes/textured_phong.h"
 #include "render/painted.h"
-#include "render/shadow_band.h"
 #include "render/undivided.h"
-#include "render/viewing.h"
-
-namespace scanlight::shading {
-template <>
-struct Format<raster::HWY_NAMESPACE::Floats> : Format<float> {};
-}  // namespace scanlight::shading
-
-namespace scanlight::shading {
-template <>
-struct Wholes<raster::HWY_NAMESPACE::Floats> {
-    using Floats = raster::HWY_NAMESPACE::Floats;
-    using Type = raster::HWY_NAMESPACE::Ints;
-
-    static Type truncated(Floats x) { return raster::HWY_NAMESPACE::truncated(x); }
-    static Floats real(Type whole) { return floats_of(whole); }
-    static Type fetched(const std::int32_t* from, Type index) { return gather(from, index); }
-    static raster::HWY_NAMESPACE::IntPairs fetched_two(const std::int32_t* from, Type index) {
-        return gather_pairs(from, index);
-    }
-    static Type shifted_left(Type bits, int by) { return bits_moved_up(bits, by); }
-    static Type shifted_right(Type bits, int by) { return bits_moved_down(bits, by); }
-    static Type divided_by_power(Type number, int by) {
-        return divided_by_power_of_two(number, by);
-    }
-    static Type sum(Type a, Type b) { return a + b; }
-    static Type product(Type a, Type b) { return a * b; }
-    static Floats real_of_float_bits(Type bits) { return floats_from_bits(bits); }
-};
-}  // namespace scanlight::shading
 
 namespace scanlight::render::HWY_NAMESPACE {
 
-using namespace raster::HWY_NAMESPACE;
-using VectorLanes = shading::Vec3<Floats>;
-using ColorLanes = shading::Rgb<Floats>;
-
-/// Vectors that lie one after another in memory.
-inline VectorLanes gather(const std::vector<glm::vec3>& vectors, Ints index) {
-    const float* base = &vectors.data()->x;
-    const Ints first = index * Ints(3);
-    return {gather(base, first), gather(base, first + Ints(1)), gather(base, first + Ints(2))};
-}
-
-/// Calls `light(number)` for the number of each material among the wanted lanes, and joins what
-/// comes of it. Most vectors have one.
-template <class Light>
-ColorLanes by_material(Ints material, Mask wanted, Light&& light) {
-    ColorLanes result(Floats(0));
-    for (std::uint32_t left = bits_of(wanted); left != 0;) {
-        std::int32_t numbers[lane_count];
-        store(material, numbers);
-        const std::int32_t number = numbers[std::countr_zero(left)];
-        const Mask same = material == Ints(number);
-        result = shading::select(same, light(static_cast<std::size_t>(number)), result);
-        left &= ~bits_of(same);
-    }
-    return result;
-}
-
-/// `by_material` for an object, most of which have one material.
-template <class Light>
-ColorLanes light_by_material(const ObjectPass& pass, Ints face, Mask wanted, Light&& light) {
-    const auto& materials = pass.object->materials;
-    if (materials.size() == 1) return light(materials.front());
-    const auto* numbers = reinterpret_cast<const std::int32_t*>(pass.mesh().face_material.data());
-    return by_material(gather(numbers, face), wanted,
-                       [&](std::size_t number) { return light(materials[number]); });
-}
-
-// ---- techniques: what a vector of pixels looks like
-
-/// A vector of pixels in a row.
-struct PixelLanes {
-    int x, y;
-    Ints depth;
-    Mask shown;     // somewhere
-    Ints item;      // where nothing is shown, that of a pixel where something is
-    Ints shadowed;  // the lights that do not reach the pixel: their bits
-    Ints attributes[raster::most_attributes];
-
-    Ints face() const { return item & Ints(static_cast<std::int32_t>(raster::face_mask)); }
-    bool is_one_face() const { return all(item == Ints(first_lane(item))); }
-    Mask back() const { return item < Ints(0); }
-    VectorLanes vector(int first) const {
-        return {float_lanes(attributes[first]), float_lanes(attributes[first + 1]),
-                float_lanes(attributes[first + 2])};
-    }
-};
-
-inline Floats material_opacity(const ObjectPass& pass, const PixelLanes& pixels) {
-    const auto of_material = [](const auto& m) { return ColorLanes(Floats(m.opacity)); };
-    return light_by_material(pass, pixels.face(), pixels.shown, of_material).x;
-}
-
-/// What is left of a light's term where some lights are in shadow.
-struct Unshadowed {
-    Ints shadowed;
-
-    ColorLanes operator()(std::size_t light, const ColorLanes& term) const {
-        const Ints bit(static_cast<std::int32_t>(1u << light % ShadowBand::most_lights));
-        return shading::select((shadowed & bit) == Ints(0), term, ColorLanes(Floats(0)));
-    }
-};
+// Techniques: what a vector of pixels looks like.
 
 /// One intensity a face: see `FlatTechnique`.
 class FlatLanes {
@@ -185,18 +84,6 @@ private:
     const ObjectPass& pass_;
 };
 
-/// Three attributes of a vector of pixels, and q behind them, times a power of two: see
-/// `undivided`. All of them are multiples of the same power of two, which cancels out without a
-/// rounding. Where there is no perspective, q is 1 and nothing is to be divided.
-inline bool is_undivided(const Ints* a_q) {
-    return all(a_q[3] == Ints(static_cast<std::int32_t>(raster::attribute_one)));
-}
-inline ColorLanes undivided_lanes(const Ints* a_q, float unit) {
-    const Floats inverse = is_undivided(a_q) ? Floats(unit / raster::attribute_one)
-                                             : Floats(unit) / floats_of(max(a_q[3], Ints(1)));
-    return ColorLanes(floats_of(a_q[0]), floats_of(a_q[1]), floats_of(a_q[2])) * inverse;
-}
-
 /// Interpolated intensities: see `GouraudTechnique`.
 class GouraudLanes {
 public:
@@ -215,36 +102,6 @@ private:
     const ObjectPass& pass_;
     float unit_;
 };
-
-/// `Frame::screen_at`.
-inline VectorLanes screen_at(const PixelLanes& pixels) {
-    return {floats_of(Ints(pixels.x) + iota()) + Floats(0.5f),
-            Floats(static_cast<float>(pixels.y) + 0.5f),
-            floats_of(pixels.depth) * Floats(raster::ndc_a_depth)};
-}
-
-/// What the pixels' faces have. Mostly it is one face: a fetch for each pixel takes much longer.
-inline VectorLanes of_faces(const std::vector<glm::vec3>& vectors, const PixelLanes& pixels) {
-    const Ints face = pixels.face();
-    if (!pixels.is_one_face()) return gather(vectors, face);
-    const glm::vec3& v = vectors[static_cast<std::size_t>(first_lane(face))];
-    return {Floats(v.x), Floats(v.y), Floats(v.z)};
-}
-
-/// Of the side seen, world space.
-inline VectorLanes face_normal(const ObjectPass& pass, const PixelLanes& pixels) {
-    const VectorLanes normal = transformed_normal(pass.placing.normals_from_object,
-                                                  of_faces(pass.mesh().face_normals, pixels));
-    return shading::select(pixels.back(), -normal, normal);
-}
-
-/// The interpolated normal; where opposed ones cancel, the polygon's own.
-inline VectorLanes normal_at(const ObjectPass& pass, const PixelLanes& pixels) {
-    const VectorLanes n = pixels.vector(0);
-    const VectorLanes normal = shading::unit_or(n, VectorLanes(Floats(0)));
-    const Mask lost = pixels.shown & !(shading::dot(normal, normal) > Floats(0));
-    return any(lost) ? shading::unit_or(n, face_normal(pass, pixels)) : normal;
-}
 
 /// Interpolated normals, lit pixel by pixel: see `PhongTechnique`.
 template <class Model, Paint paint>
@@ -274,80 +131,6 @@ private:
 
     VectorLanes vertex_color(const PixelLanes& pixels) const {
         return undivided_lanes(pixels.attributes + 3, 1.0f);
-    }
-
-    const ObjectPass& pass_;
-    Model model_;
-};
-
-/// See `TexturedPhongTechnique`.
-template <class Model>
-class TexturedPhongLanes {
-public:
-    const int attributes;
-
-    TexturedPhongLanes(const ObjectPass& pass, const Model& model)
-        : attributes(pass.textured.count()), pass_(pass), model_(model) {}
-
-    ColorLanes shade(const PixelLanes& pixels) const {
-        const TexturedSurface<Floats> surface = surface_at(pixels);
-        return by_material(materials(pixels), pixels.shown, [&](std::size_t number) {
-            return illuminate_textured(model_, surface, pass_.object->materials[number],
-                                       pass_.textures[number], *pass_.frame,
-                                       Unshadowed{pixels.shadowed});
-        });
-    }
-    Floats opacity(const PixelLanes& pixels) const {
-        const TexturedSurface<Floats> surface = surface_at(pixels);
-        const auto of_material = [&](std::size_t number) {
-            return ColorLanes(
-                opacity_on(pass_.object->materials[number], pass_.textures[number], surface.site));
-        };
-        return by_material(materials(pixels), pixels.shown, of_material).x;
-    }
-
-private:
-    Ints materials(const PixelLanes& pixels) const {
-        if (pass_.textures.size() == 1) return Ints(0);
-        const auto& numbers = pass_.mesh().face_material;
-        return gather(reinterpret_cast<const std::int32_t*>(numbers.data()), pixels.face());
-    }
-
-    TexturedSurface<Floats> surface_at(const PixelLanes& pixels) const {
-        const glm::mat4& world_from_screen = pass_.frame->world_from_screen;
-        const VectorLanes screen = screen_at(pixels);
-        const VectorLanes point = point_behind(world_from_screen, screen);
-        const auto steps =
-            pixel_steps(world_from_screen, screen, point, face_normal(pass_, pixels));
-        return {{point, normal_at(pass_, pixels), view_from(pass_.frame->viewpoint, point)},
-                {point, own_place(pixels), steps.x, steps.y},
-                color(pixels),
-                select(pixels.back(), Floats(-1), Floats(1))};
-    }
-
-    ColorLanes color(const PixelLanes& pixels) const {
-        if (!pass_.textured.has_colors) return ColorLanes(Floats(1));
-        return undivided(pixels, pass_.textured.colors(), 3);
-    }
-
-    shading::TexturePlace<Floats> own_place(const PixelLanes& pixels) const {
-        const VectorLanes nothing(Floats(0));
-        if (!pass_.textured.has_uvs) return {Floats(0), Floats(0), nothing, nothing};
-        const VectorLanes uv = undivided(pixels, pass_.textured.uvs(), 2);
-        const glm::mat3& gradients = pass_.placing.normals_from_object;
-        const auto gradient = [&](const std::vector<glm::vec3>& vectors) {
-            return transformed_gradient(gradients, of_faces(vectors, pixels));
-        };
-        return {uv.x * Floats(pass_.uv_unit), uv.y * Floats(pass_.uv_unit),
-                gradient(pass_.mesh().face_grad_u), gradient(pass_.mesh().face_grad_v)};
-    }
-
-    /// So many attributes from the `first` on, divided by q.
-    ColorLanes undivided(const PixelLanes& pixels, int first, int count) const {
-        const Ints* a = pixels.attributes;
-        const Ints third = count == 3 ? a[first + 2] : Ints(0);
-        const Ints a_q[4] = {a[first], a[first + 1], third, a[pass_.textured.q()]};
-        return undivided_lanes(a_q, 1.0f);
     }
 
     const ObjectPass& pass_;

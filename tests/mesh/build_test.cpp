@@ -138,6 +138,18 @@ TEST(Build, RandomSoupsDrawEveryPolygonAsItWasOrCountIt) {
     }
 }
 
+TEST(Build, EachCornerOfAFlatFaceLiesInItsPlane) {
+    for (const char* name : {"cube", "cylinder:7", "star", "icosphere:1"}) {
+        const Mesh mesh = build(shape(name)).mesh;
+        ASSERT_EQ(mesh.face_offset.size(), mesh.face_count());
+        for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+            for (const glm::vec3& corner : points_of_face(mesh, face))
+                EXPECT_NEAR(glm::dot(mesh.face_normals[face], corner), mesh.face_offset[face], 1e-6)
+                    << name;
+        }
+    }
+}
+
 TEST(Build, AnEmptySoupGivesAnEmptyMesh) {
     const auto [mesh, report] = build(PolygonSoup{});
     EXPECT_EQ(mesh.face_count(), 0u);

@@ -148,6 +148,7 @@ TEST(Triangulate, TrianglesKeepTheirPolygonsIdMaterialAndNormal) {
         const std::uint32_t id = cut.face_id[face];
         EXPECT_EQ(cut.face_material[face], mesh.face_material[id]);
         EXPECT_EQ(cut.face_normals[face], mesh.face_normals[id]);
+        EXPECT_NEAR(cut.face_offset[face], mesh.face_offset[id], 1e-6);
         area[id] += area_of(points_of_face(cut, face));
     }
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {

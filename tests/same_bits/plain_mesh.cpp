@@ -1,5 +1,7 @@
 #include "tests/same_bits/plain_mesh.h"
 
+#include "mesh/face_planes.h"
+
 namespace scanlight::same_bits {
 
 namespace {
@@ -33,6 +35,7 @@ mesh::Mesh plain_mesh(const std::vector<PlainPolygon>& polygons, std::size_t mat
         mesh.face_normals.push_back(polygon.normal);
         mesh.face_material.push_back(polygon.material);
     }
+    mesh::find_face_planes(mesh);
     return mesh;
 }
 

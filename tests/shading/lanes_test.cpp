@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -51,6 +52,10 @@ LANES_OPERATOR(Mask, >=)
 
 Mask operator&(const Mask& a, const Mask& b) {
     return each_lane<Mask>([&](auto i) { return a.lane[i] && b.lane[i]; });
+}
+
+bool none(const Mask& mask) {
+    return std::ranges::none_of(mask.lane, [](bool has) { return has; });
 }
 
 Lanes operator-(const Lanes& a) {

@@ -1,4 +1,4 @@
-#include "mesh/uv_gradient.h"
+#include "mesh/face_planes.h"
 
 #include <cmath>
 
@@ -44,13 +44,20 @@ glm::vec3 finite_or_zero(const glm::dvec3& v) {
     return is_finite ? result : glm::vec3(0.0f);
 }
 
+float offset_of(const Mesh& mesh, std::size_t face) {
+    const glm::dvec3 corner(mesh.vertices.position(mesh.face(face).front()));
+    return static_cast<float>(glm::dot(glm::dvec3(mesh.face_normals[face]), corner));
+}
+
 }  // namespace
 
-void find_uv_gradients(Mesh& mesh) {
+void find_face_planes(Mesh& mesh) {
+    mesh.face_offset.clear();
     mesh.face_grad_u.clear();
     mesh.face_grad_v.clear();
-    if (!mesh.vertices.has_uvs()) return;
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        mesh.face_offset.push_back(offset_of(mesh, f));
+        if (!mesh.vertices.has_uvs()) continue;
         const Sums sums = sums_of(mesh, f);
         mesh.face_grad_u.push_back(finite_or_zero(sums.gradients.u / sums.area));
         mesh.face_grad_v.push_back(finite_or_zero(sums.gradients.v / sums.area));
