@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "raster/image_of.h"
+#include "raster/packed_image.h"
 #include "render/draw.h"
 #include "render/draw_details.h"
 #include "render/frame.h"
@@ -123,16 +124,8 @@ raster::Image8 unpacked(const Picture::Bytes& color, raster::Alpha alpha) {
 
 /// The heat map of the stencil in the place of the colours.
 Picture stencil_picture(const render::Scene& scene, const SceneOptions& options) {
-    const raster::Image8 map = heat_map(draw_stencil(scene, options));
     Picture picture;
-    auto& color = picture.color.emplace<Picture::Bytes>(options.size, 0);
-    for (int y = 0; y < map.height(); ++y) {
-        for (int x = 0; x < map.width(); ++x) {
-            const auto rgb = map.pixel(x, y);
-            color.at(x, y) = 0xff000000u | static_cast<raster::PackedPixel>(rgb[2]) << 16 |
-                             static_cast<raster::PackedPixel>(rgb[1]) << 8 | rgb[0];
-        }
-    }
+    picture.color = raster::packed_image(heat_map(draw_stencil(scene, options)));
     return picture;
 }
 

@@ -10,6 +10,7 @@
 #include "apps/demo/window/control.h"
 #include "apps/demo/window/gui.h"
 #include "apps/demo/window/plot_draw.h"
+#include "raster/packed_image.h"
 
 namespace scanlight::apps::window {
 
@@ -43,18 +44,6 @@ std::vector<Box> picture_boxes(const demo::Screen& screen, const LessonLayout& l
             {layout.panels[i].x, layout.panels[i].y, picture.width(), picture.height()});
     }
     return boxes;
-}
-
-Pixels packed(const raster::Image8& picture) {
-    Pixels pixels({picture.width(), picture.height()}, 0);
-    for (int y = 0; y < picture.height(); ++y) {
-        for (int x = 0; x < picture.width(); ++x) {
-            const auto bytes = picture.pixel(x, y);
-            const auto channel = [&](std::size_t c) { return std::uint32_t{bytes[c]} << 8 * c; };
-            pixels.at(x, y) = channel(0) | channel(1) | channel(2) | 0xff000000u;
-        }
-    }
-    return pixels;
 }
 
 // ---- words
@@ -152,7 +141,7 @@ void LessonView::draw_pictures(SDL_Renderer* renderer) {
     for (std::size_t i = 0; i < sheets_.size(); ++i) {
         const std::string name = drawn_ + " " + std::to_string(i);
         if (!sheets_[i].shows(name))
-            sheets_[i].show(packed(demo::marked(screen_.panels[i])), name, renderer);
+            sheets_[i].show(raster::packed_image(demo::marked(screen_.panels[i])), name, renderer);
         sheets_[i].draw({View::left, pictures_[i], pictures_[i]}, renderer);
     }
 }
