@@ -12,7 +12,8 @@ namespace {
 constexpr double left = 50.0;
 constexpr double right = 12.0;
 constexpr double top = 22.0;
-constexpr double bottom = 70.0;
+constexpr double line_height = 15.0;
+constexpr double below_axis = 40.0;  // words of the axis
 
 using Anchor = PlotWords::Anchor;
 using Kind = PlotLine::Kind;
@@ -22,7 +23,11 @@ struct Scale {
     const Plot& plot;
     glm::dvec2 size;
 
-    double floor() const { return size.y - bottom; }
+    /// Room for two lines of names at least, so that plots side by side have one floor.
+    double floor() const {
+        const std::size_t lines = std::max<std::size_t>(2, (plot.curves.size() + 1) / 2);
+        return size.y - below_axis - line_height * static_cast<double>(lines);
+    }
     double end() const { return size.x - right; }
     double column(double x) const {
         return left + (end() - left) * (x - plot.x.low) / (plot.x.high - plot.x.low);
@@ -99,7 +104,7 @@ void add_curves(PlotLayout& layout, const Scale& scale) {
     for (std::size_t i = 0; i < scale.plot.curves.size(); ++i) {
         const Curve& curve = scale.plot.curves[i];
         const double x = left - 30 + column_width * static_cast<double>(i % 2);
-        const double y = scale.size.y - 20 + 15 * static_cast<double>(i / 2);
+        const double y = scale.floor() + below_axis + 10 + line_height * static_cast<double>(i / 2);
         layout.curves.push_back(
             {curve.key, pieces_of(curve, scale), {Kind::axis, {x, y - 4}, {x + 22, y - 4}}});
         layout.words.push_back({Anchor::start, {x + 27, y}, "{{" + curve.key + "}}"});

@@ -1,7 +1,5 @@
 #include "apps/demo/plot_svg.h"
 
-#include <algorithm>
-
 #include "apps/demo/plot_layout.h"
 #include "apps/scanlight/text_table.h"
 
@@ -21,12 +19,6 @@ std::string svg_of(const std::string& kind, const PlotLine& line) {
     return "<line class='" + kind + "' x1='" + pixels(line.from.x) + "' y1='" +
            pixels(line.from.y) + "' x2='" + pixels(line.to.x) + "' y2='" + pixels(line.to.y) +
            "'/>";
-}
-
-/// Below the axis there is room for two lines of names; more make the picture higher.
-double full_height(const Plot& plot) {
-    const auto lines = static_cast<double>((plot.curves.size() + 1) / 2);
-    return size.y + 15.0 * std::max(0.0, lines - 2.0);
 }
 
 std::string word_of(PlotLine::Kind kind) {
@@ -77,7 +69,7 @@ std::string svg_of(const PlotCurve& curve, std::size_t number) {
 
 std::string plot_svg(const Plot& plot) {
     const PlotLayout layout = plot_layout(plot, size);
-    std::string svg = "<svg viewBox='0 0 " + fixed(size.x, 0) + " " + fixed(full_height(plot), 0) +
+    std::string svg = "<svg viewBox='0 0 " + fixed(size.x, 0) + " " + fixed(size.y, 0) +
                       "' role='img' aria-label='{{" + plot.key + "}}'>";
     for (const PlotLine& line : layout.lines)
         svg += svg_of(word_of(line.kind), line);

@@ -51,12 +51,24 @@ public:
         event.wheel.y = notches;
         push(event);
     }
-    void type(SDL_Keycode key) {
+    void type(SDL_Keycode key) { hold(key, 0); }
+    /// Long enough for the keyboard to repeat it so often.
+    void hold(SDL_Keycode key, int repeats) {
         SDL_Event event{};
         event.type = SDL_KEYDOWN;
         event.key.keysym.sym = key;
         push(event);
+        event.key.repeat = 1;
+        for (int i = 0; i < repeats; ++i)
+            push(event);
         event.type = SDL_KEYUP;
+        push(event);
+    }
+    /// Takes the mouse out of the window.
+    void leave() {
+        SDL_Event event{};
+        event.type = SDL_WINDOWEVENT;
+        event.window.event = SDL_WINDOWEVENT_LEAVE;
         push(event);
     }
     void drop(const std::string& path) {

@@ -186,6 +186,44 @@ TEST_F(LiveWindow, WhatCannotBeLoadedLeavesAllAsItWas) {
     expect_as_by_command_line(person, View::left);
 }
 
+TEST_F(LiveWindow, AFileDroppedOnALessonIsSeenOrRefusedAtOnce) {
+    Person person("teapot");
+    person.type(SDLK_c);
+    ASSERT_EQ(person.state().subject, Subject::lesson);
+    person.drop("no-such-mesh.obj");
+    EXPECT_EQ(person.state().subject, Subject::lesson);
+    person.type(SDLK_ESCAPE);
+    EXPECT_EQ(person.state().subject, Subject::scene);
+    expect_as_by_command_line(person, View::left);
+    person.type(SDLK_c);
+    person.drop(SCANLIGHT_TESTS_DIR "/data/crate.obj");
+    EXPECT_EQ(person.state().subject, Subject::scene);
+    expect_as_by_command_line(person, View::left);
+}
+
+TEST_F(LiveWindow, AMessageGoesWhenSomethingElseIsDone) {
+    Person person("teapot");
+    person.drop("no-such-mesh.obj");
+    EXPECT_NE(person.window().message(), "");
+    person.type(SDLK_l);
+    EXPECT_EQ(person.window().message(), "");
+}
+
+TEST_F(LiveWindow, AKeyHeldTooLongSwitchesOnce) {
+    Person person("teapot");
+    person.hold(SDLK_l, 3);
+    EXPECT_EQ(person.state().loupe, Loupe::open);
+}
+
+TEST_F(LiveWindow, TheLoupeHasNoPixelWhereTheMouseHasLeft) {
+    Person person("teapot");
+    person.type(SDLK_l);
+    person.move({250, 480});
+    EXPECT_TRUE(picked_pixel(person.state()));
+    person.leave();
+    EXPECT_FALSE(picked_pixel(person.state()));
+}
+
 TEST_F(LiveWindow, TheLoupeTellsOfThePixelUnderTheMouse) {
     Person person("teapot --shadows zfail --floor --light point:2,3,2");
     person.type(SDLK_l);

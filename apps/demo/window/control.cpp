@@ -59,8 +59,7 @@ std::optional<Value> draw_whole_slider(const Parameter& parameter,
         ImGui::SliderInt(id_of(parameter).c_str(), &number, static_cast<int>(parameter.low),
                          static_cast<int>(parameter.high), "%d", flags_of(parameter));
     if (!is_moved) return std::nullopt;
-    const bool is_odd = parameter.knob.info.schema.contains("not");
-    return whole_value(is_odd ? number | 1 : number);
+    return whole_value(number);
 }
 
 std::optional<Value> draw_check(const Parameter& parameter, const std::optional<Value>& value) {

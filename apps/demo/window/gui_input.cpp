@@ -3,8 +3,11 @@
 #include <SDL.h>
 #include <imgui.h>
 
+#include <cfloat>
 #include <optional>
 #include <utility>
+
+#include "apps/demo/window/translate.h"
 
 namespace scanlight::apps::window {
 
@@ -60,6 +63,9 @@ void GuiInput::take(const SDL_Event& event) {
     switch (event.type) {
         case SDL_MOUSEMOTION:
             io.MousePos = {static_cast<float>(event.motion.x), static_cast<float>(event.motion.y)};
+            break;
+        case SDL_WINDOWEVENT:
+            if (leaves_window(event)) io.MousePos = {-FLT_MAX, -FLT_MAX};
             break;
         case SDL_MOUSEBUTTONDOWN:
         case SDL_MOUSEBUTTONUP:

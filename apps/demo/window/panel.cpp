@@ -59,11 +59,6 @@ void explain(const std::string& text) {
     ImGui::EndTooltip();
 }
 
-/// A light at infinity has no fall-off.
-bool has_use_for(const Parameter& parameter, const LightOption& light) {
-    return light.frame == LightFrame::point || parameter.knob.info.name != "falloff";
-}
-
 void draw_news(const PanelNews& news) {
     ImGui::Separator();
     ImGui::TextDisabled("%zu polygons, drawn in %.1f ms", news.polygons, news.picture_milliseconds);
@@ -213,8 +208,7 @@ void Panel::draw_lights(WindowState& state, const PanelNews& news) {
         of_lights_.push_back(light_parameters(of_lights_.size()));
     for (std::size_t i = 0; i < count; ++i) {
         for (const Parameter& parameter : of_lights_[i]) {
-            if (has_use_for(parameter, lights_in(state.current())[i]))
-                draw_row(state, parameter, news);
+            if (applies(parameter, state.current())) draw_row(state, parameter, news);
         }
     }
     draw_light_buttons(state, news);

@@ -80,6 +80,12 @@ Parameter of(Parameter p, std::vector<shading::Illumination> models) {
     return p;
 }
 
+template <class Wanted>
+Parameter where(Wanted wanted, Parameter p) {
+    p.wanted = wanted;
+    return p;
+}
+
 template <class Clear>
 Parameter or_unsaid(Parameter p, const std::string& word, Clear clear) {
     p.unsaid = word;
@@ -144,20 +150,22 @@ void forget_metal(SceneOptions& options) {
 std::vector<Parameter> facets() {
     const std::string g = "Surface";
     const auto only = std::vector{cook_torrance};
-    return {of(named(slider(g, "surface", "roughness", "m", {0.05, 1.0, Scale::logarithmic}),
-                     "roughness"),
-               only),
-            of(or_unsaid(choice(g, "surface", "metal"), "none", forget_metal), only),
-            of(by_material(
-                   named(slider(g, "surface", "ior", "\xCE\xB7", {1.0, 3.0}), "refractive index"),
-                   [](const Material& m) { return number_value(m.facets.reflectance.n.x); }),
-               {cook_torrance, hall}),
-            of(by_material(slider(g, "surface", "specular_share", "K_s", {0.0, 1.0}),
-                           [](const Material& m) { return number_value(m.facets.share); }),
-               only),
-            of(choice(g, "surface", "distribution"), only),
-            of(choice(g, "surface", "constant"), only),
-            of(choice(g, "surface", "fresnel"), only)};
+    return {
+        of(named(slider(g, "surface", "roughness", "m", {0.05, 1.0, Scale::logarithmic}),
+                 "roughness"),
+           only),
+        of(or_unsaid(choice(g, "surface", "metal"), "none", forget_metal), only),
+        where([](const SceneOptions& o) { return !o.material.facets.is_metal(); },
+              of(by_material(
+                     named(slider(g, "surface", "ior", "\xCE\xB7", {1.0, 3.0}), "refractive index"),
+                     [](const Material& m) { return number_value(m.facets.reflectance.n.x); }),
+                 {cook_torrance, hall})),
+        of(by_material(slider(g, "surface", "specular_share", "K_s", {0.0, 1.0}),
+                       [](const Material& m) { return number_value(m.facets.share); }),
+           only),
+        of(choice(g, "surface", "distribution"), only),
+        of(choice(g, "surface", "constant"), only),
+        of(choice(g, "surface", "fresnel"), only)};
 }
 
 std::vector<Parameter> transparency() {
@@ -185,19 +193,34 @@ std::vector<Parameter> polygons() {
                       [](SceneOptions& o) { o.wireframe_word.clear(); })};
 }
 
+bool has_shadow_maps(const SceneOptions& options) {
+    return options.settings.shadows == render::Shadows::map;
+}
+
+/// A filter has a pixel in its middle.
+Value odd(const Value& value) {
+    return whole_value(static_cast<int>(number_of(value).value_or(1.0)) | 1);
+}
+
 std::vector<Parameter> shadows() {
     const std::string g = "Shadows";
+    Parameter filter = whole_slider(g, "render", "shadow_pcf", {1, 15});
+    filter.nearest = odd;
     return {choice(g, "render", "shadows"),
             check(g, "render", "floor"),
             choice(g, "render", "show"),
-            whole_slider(g, "render", "shadow_map_size", {32, 4096, Scale::logarithmic}),
-            slider(g, "render", "shadow_bias", "", {0.0, 8.0}),
-            whole_slider(g, "render", "shadow_pcf", {1, 15})};
+            where(has_shadow_maps,
+                  whole_slider(g, "render", "shadow_map_size", {32, 4096, Scale::logarithmic})),
+            where(has_shadow_maps, slider(g, "render", "shadow_bias", "", {0.0, 8.0})),
+            where(has_shadow_maps, filter)};
 }
 
 /// Of what a slot's texture is made, and how it lies on the surface.
 std::vector<Parameter> textures() {
     std::vector<Parameter> all;
+    const auto where_said = [](const Parameter& p) {
+        return where([knob = p.knob](const SceneOptions& o) { return knob.get(o).has_value(); }, p);
+    };
     for (const TextureSlot slot : {TextureSlot::diffuse, TextureSlot::bump}) {
         Parameter pattern{"Textures", word_of(slot) + " texture", "", pattern_knob(slot)};
         pattern.words = words_in(pattern.knob);
@@ -207,7 +230,7 @@ std::vector<Parameter> textures() {
         count.control = Control::slider;
         count.low = 1.0;
         count.high = 64.0;
-        all.insert(all.end(), {pattern, mapping, count});
+        all.insert(all.end(), {pattern, where_said(mapping), where_said(count)});
     }
     all.push_back(named(check("Textures", "render", "own_textures"), "the mesh's own"));
     return all;
@@ -224,7 +247,8 @@ std::vector<Parameter> surroundings() {
     const std::string g = "Surroundings";
     return {or_unsaid(named(choice(g, "environment", "built_in"), "environment"), "none",
                       [](SceneOptions& o) { o.environment = {}; }),
-            named(check(g, "environment", "light"), "lights all")};
+            where([](const SceneOptions& o) { return !o.environment.image.empty(); },
+                  named(check(g, "environment", "light"), "lights all"))};
 }
 
 /// Whether a picture with this illumination model, of these shadows, has a use for the parameter.
@@ -237,7 +261,7 @@ bool knows(const Parameter& parameter, const SceneOptions& options) {
 
 /// A parameter of a light is one of those that are said.
 SceneOptions with_said_lights(SceneOptions options, const Parameter& parameter) {
-    if (parameter.group == "Lights") options.lights = lights_in(options);
+    if (parameter.light) options.lights = lights_in(options);
     return options;
 }
 
@@ -268,23 +292,22 @@ std::vector<Parameter> light_parameters(std::size_t light) {
     for (const char* key : {"color", "falloff"}) {
         Parameter p{"Lights", name + " " + key, "", knob("light", key, light)};
         p.words = words_in(p.knob);
+        p.light = light;
         all.push_back(std::move(p));
     }
     all[0].control = Control::color;
     all[0].symbol = symbol;
     all[0].name = name;
+    all[0].nearest = in_bytes;
+    // A light at infinity has no fall-off.
+    all[1].wanted = [light](const SceneOptions& options) {
+        return lights_in(options).at(light).frame == LightFrame::point;
+    };
     return all;
 }
 
 bool applies(const Parameter& parameter, const SceneOptions& options) {
-    const std::string& key = parameter.knob.info.name;
-    if (key.starts_with("shadow_") && options.settings.shadows != render::Shadows::map)
-        return false;
-    if (parameter.group == "Textures" && (key == "mapping" || key == "count"))
-        return parameter.knob.get(options).has_value();
-    if (key == "ior" && options.material.facets.is_metal()) return false;
-    if (key == "light") return !options.environment.image.empty();
-    return knows(parameter, options);
+    return knows(parameter, options) && (!parameter.wanted || parameter.wanted(options));
 }
 
 std::optional<Value> shown_value(const Parameter& parameter, const SceneOptions& options,
@@ -306,12 +329,10 @@ SceneOptions with_value(SceneOptions options, const Parameter& parameter, const 
         return options;
     }
     const auto number = number_of(value);
-    if (parameter.group == "Lights") {
-        parameter.knob.set(options, in_bytes(value));
-    } else if (parameter.turned && number) {
+    if (parameter.turned && number) {
         parameter.knob.set(options, number_value(parameter.turned(*number)));
     } else {
-        parameter.knob.set(options, value);
+        parameter.knob.set(options, parameter.nearest ? parameter.nearest(value) : value);
     }
     return options;
 }

@@ -28,7 +28,12 @@ struct Parameter {
     double high = 1.0;
     Scale scale = Scale::linear;
     std::vector<std::string> words = {};             // of a choice
+    std::optional<std::size_t> light = {};           // whose it is; its place among them
     std::vector<shading::Illumination> models = {};  // that know it; empty: all
+    /// Whether a picture has a use for it, whatever the model; empty: each has.
+    std::function<bool(const SceneOptions&)> wanted = {};
+    /// The nearest value that the key takes; empty: it takes any.
+    std::function<Value(const Value&)> nearest = {};
     /// Takes back what was said; as the first word of a choice it is called `unsaid`.
     std::function<void(SceneOptions&)> clear = {};
     std::string unsaid = {};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -22,14 +23,15 @@ using demo::PlotWords;
 constexpr ImU32 ground = IM_COL32(24, 25, 27, 255);
 constexpr ImU32 ink = IM_COL32(205, 207, 212, 255);
 constexpr ImU32 curve_colors[] = {IM_COL32(255, 154, 82, 255), IM_COL32(125, 179, 255, 255),
-                                  IM_COL32(116, 207, 128, 255), IM_COL32(207, 155, 245, 255)};
+                                  IM_COL32(116, 207, 128, 255), IM_COL32(207, 155, 245, 255),
+                                  IM_COL32(176, 179, 186, 255)};
 
 /// The channels of colour have their own; else it goes by the curve's number.
 ImU32 color_of(const std::string& key, std::size_t number) {
     if (key == "red") return IM_COL32(240, 86, 76, 255);
     if (key == "green") return IM_COL32(84, 200, 118, 255);
     if (key == "blue") return IM_COL32(98, 150, 255, 255);
-    return curve_colors[number % 4];
+    return curve_colors[number % std::size(curve_colors)];
 }
 
 ImU32 color_of(PlotLine::Kind kind) {

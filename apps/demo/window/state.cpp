@@ -85,6 +85,7 @@ WindowState on_canvas(WindowState state, raster::Viewport canvas) {
 WindowState with_input(WindowState state, const std::string& input) {
     for (SceneOptions& view : state.views)
         view = showing(std::move(view), input);
+    state.subject = Subject::scene;  // so that it is drawn, or refused, at once
     state.picked.reset();
     return with_sizes(std::move(state));
 }

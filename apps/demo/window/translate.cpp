@@ -52,7 +52,8 @@ std::optional<NamedKey> named(SDL_Keycode code) {
 std::optional<Event> typed(const SDL_KeyboardEvent& key) {
     const SDL_Keycode code = key.keysym.sym;
     if ((key.keysym.mod & (KMOD_CTRL | KMOD_ALT | KMOD_GUI)) != 0) return std::nullopt;
-    if (const auto key = named(code)) return *key;
+    if (const auto name = named(code)) return *name;
+    if (key.repeat != 0) return std::nullopt;  // letters switch: held too long, by chance
     if (code == SDLK_TAB) return Key{'\t'};
     if (code < ' ' || code > '~') return std::nullopt;
     return Key{static_cast<char>(code)};
@@ -60,8 +61,15 @@ std::optional<Event> typed(const SDL_KeyboardEvent& key) {
 
 }  // namespace
 
+bool leaves_window(const SDL_Event& event) {
+    return event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_LEAVE;
+}
+
 std::optional<Event> translated(const SDL_Event& event, const WindowState& state) {
     switch (event.type) {
+        case SDL_WINDOWEVENT:
+            return leaves_window(event) && !drags(state) ? std::optional<Event>(Leave{})
+                                                         : std::nullopt;
         case SDL_MOUSEMOTION:
             return moved(event.motion, state);
         case SDL_MOUSEBUTTONDOWN:

@@ -37,6 +37,11 @@ bool is_of_mouse(const SDL_Event& event) {
     return event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEWHEEL;
 }
 
+/// Whether a person goes on to something else.
+bool begins_anew(const SDL_Event& event) {
+    return event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_KEYDOWN;
+}
+
 /// A number in few letters.
 std::string short_number(double number) {
     std::array<char, 32> text;
@@ -100,6 +105,7 @@ bool Window::take_events() {
 
 void Window::take(const SDL_Event& event) {
     gui_.take(event);
+    if (begins_anew(event)) message_.clear();
     if (event.type == SDL_QUIT) is_open_ = false;
     if (event.type == SDL_DROPFILE) {
         open(event.drop.file);
