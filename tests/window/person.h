@@ -51,10 +51,11 @@ public:
         event.wheel.y = notches;
         push(event);
     }
-    void type(SDL_Keycode key) {
+    void type(SDL_Keycode key, SDL_Keymod with = KMOD_NONE) {
         SDL_Event event{};
         event.type = SDL_KEYDOWN;
         event.key.keysym.sym = key;
+        event.key.keysym.mod = with;
         push(event);
         event.type = SDL_KEYUP;
         push(event);
