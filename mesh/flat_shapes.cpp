@@ -1,30 +1,47 @@
 #include "mesh/flat_shapes.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "mesh/add_face.h"
 #include "mesh/circle.h"
+#include "mesh/file_error.h"
+#include "mesh/newell.h"
 
 namespace scanlight::mesh {
 namespace {
 
 using Corner = PolygonSoup::Corner;
 
-/// One polygon about the z axis from the top on, counter-clockwise; its radius alternates.
-PolygonSoup polygon(std::uint32_t corners, const std::array<double, 2>& radius) {
+/// One face with these corners, in their order.
+PolygonSoup one_face(std::span<const glm::dvec2> corners) {
     PolygonSoup soup;
     std::vector<Corner> face;
-    for (const Direction& d : circle(corners)) {
+    for (const glm::dvec2& p : corners) {
         const auto i = static_cast<std::uint32_t>(face.size());
-        const double x = -radius[i % 2] * d.sine;
-        const double y = radius[i % 2] * d.cosine;
-        soup.positions.emplace_back(x, y, 0.0);
-        soup.uvs.emplace_back(0.5 + 0.5 * x, 0.5 + 0.5 * y);
+        soup.positions.emplace_back(p.x, p.y, 0.0);
+        soup.uvs.emplace_back(0.5 + 0.5 * p.x, 0.5 + 0.5 * p.y);
         face.push_back({.position = i, .uv = i});
     }
     add_face(soup, face);
     return soup;
+}
+
+/// Positive if the face looks along +z.
+double facing(const PolygonSoup& soup) {
+    return area_vector(soup.positions).z;
+}
+
+/// One polygon about the z axis from the top on, counter-clockwise; its radius alternates.
+PolygonSoup polygon(std::uint32_t count, const std::array<double, 2>& radius) {
+    std::vector<glm::dvec2> corners;
+    for (const Direction& d : circle(count)) {
+        const double r = radius[corners.size() % 2];
+        corners.emplace_back(-r * d.sine, r * d.cosine);
+    }
+    return one_face(corners);
 }
 
 }  // namespace
@@ -52,6 +69,21 @@ PolygonSoup regular_polygon(std::uint32_t n) {
 
 PolygonSoup star(std::uint32_t points) {
     return polygon(2 * points, {1.0, 0.4});
+}
+
+PolygonSoup flat_polygon(std::span<const glm::dvec2> corners) {
+    std::vector<glm::dvec2> order(corners.begin(), corners.end());
+    PolygonSoup soup = one_face(order);
+    if (facing(soup) == 0.0) throw FileError("shape polygon: its corners enclose no area");
+    for (std::size_t i = 0; facing(soup) < 0.0 && i < 2 * order.size(); ++i) {
+        if (i % 2 == 0) {
+            std::reverse(order.begin() + 1, order.end());
+        } else {
+            std::rotate(order.begin(), order.begin() + 1, order.end());
+        }
+        soup = one_face(order);
+    }
+    return soup;
 }
 
 }  // namespace scanlight::mesh

@@ -20,10 +20,11 @@ std::vector<ShapeInfo> list_shapes();
 /// The parameters are not looked at.
 bool is_shape(std::string_view text);
 
-/// Builds a shape from "name" or "name:number[,number]", such as "teapot:8" or "torus:48,24".
-/// Shapes lie about the origin and fit into [-2, 2]; y is up; faces turn counter-clockwise seen
-/// from outside (from +y or +z for the flat ones).
-/// Throws FileError for an unknown name (it names the nearest one) or a parameter out of range.
+/// Builds a shape from "name" or "name:number[,number]", such as "teapot:8" or "torus:48,24", or
+/// from its corners, "polygon:0,1:-1,-1:1,-1". Shapes lie about the origin and fit into [-2, 2],
+/// but a polygon has the corners that it is given; y is up; faces turn counter-clockwise seen from
+/// outside (from +y or +z for the flat ones).
+/// Throws FileError for an unknown name (it names the nearest one) or parameters that do not do.
 PolygonSoup shape(std::string_view text);
 
 }  // namespace scanlight::mesh

@@ -26,6 +26,17 @@ std::string printable(std::string_view text) {
     return result + (text.size() > longest ? "..." : "");
 }
 
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> pieces;
+    for (std::size_t end = text.find(separator); end != std::string_view::npos;
+         end = text.find(separator)) {
+        pieces.push_back(text.substr(0, end));
+        text.remove_prefix(end + 1);
+    }
+    pieces.push_back(text);
+    return pieces;
+}
+
 std::string quoted(std::string_view text) {
     return "\"" + printable(text) + "\"";
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace scanlight::mesh {
 
@@ -23,6 +24,9 @@ constexpr char lower(char c) {
 bool equal_ignoring_case(std::string_view a, std::string_view b);
 
 std::string_view trimmed(std::string_view text);
+
+/// The pieces between separators, one at least.
+std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// File text made fit for a message: in quotes, cut after 60 characters, nothing unprintable.
 std::string quoted(std::string_view text);

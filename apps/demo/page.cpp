@@ -154,6 +154,15 @@ std::vector<Control> drawn_controls(const Lesson& lesson) {
     return controls;
 }
 
+/// The names of those that the window alone can move.
+Json pointed_names(const Lesson& lesson) {
+    Json names = Json::array();
+    for (const Control& control : lesson.controls) {
+        if (control.moved == Moved::by_pointing) names.push_back(control.name);
+    }
+    return names;
+}
+
 /// One screen for each way the controls may stand; the last control changes fastest.
 std::vector<Settings> all_settings(const Lesson& lesson) {
     std::vector<Settings> all{starting_settings(lesson)};
@@ -186,8 +195,9 @@ Json lesson_json(const Lesson& lesson, const PageOptions& options, Pictures& pic
         screens.push_back(
             screen_json(lesson.draw(settings, options.panel_size, options.means), pictures));
     return {{"name", lesson.name},  {"formula", texts().chapters().at(lesson.name).formula},
-            {"controls", controls}, {"places", places},
-            {"files", files},       {"screens", screens}};
+            {"controls", controls}, {"pointed", pointed_names(lesson)},
+            {"places", places},     {"files", files},
+            {"screens", screens}};
 }
 
 Json texts_json() {

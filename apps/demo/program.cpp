@@ -45,9 +45,11 @@ struct Options {
 void check_step(const Lesson& lesson, const Settings& settings, const Screen& screen) {
     if (!screen.walked) return;
     const auto last = static_cast<double>(walk_of(screen.walked->steps.trace).size()) - 1.0;
+    const Settings start = starting_settings(lesson);
     for (const Control& control : lesson.controls) {
+        if (control.moved != Moved::by_steps) continue;
         const double step = settings.at(control.name);
-        if (control.moved == Moved::by_steps && step > last)
+        if (step > last && step != start.at(control.name))
             throw apps::UsageError(control.name + " " + value_text(control, step) +
                                    ": this polygon has steps from 0 to " +
                                    value_text(control, last));

@@ -19,8 +19,8 @@ std::string remark_text(const Lesson& lesson, Language language) {
 std::string controls_text(const Lesson& lesson, const Settings& settings, Language language) {
     std::string text;
     for (const Control& control : lesson.controls) {
-        text += "  --set " + control.name + "=" + value_text(control, settings.at(control.name)) +
-                "   " + texts().of(lesson.name, "control-" + control.name, language) + "\n";
+        text += "  --set " + control.name + "=" + text_of(control, settings) + "   " +
+                texts().of(lesson.name, "control-" + control.name, language) + "\n";
     }
     return text;
 }

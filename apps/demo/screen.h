@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 
 #include "raster/image.h"
@@ -64,12 +66,20 @@ struct Walked {
     raster::Image8 picture;
 };
 
+/// Where the corners of a control are in a panel, to be dragged.
+struct Handles {
+    std::string control;
+    std::size_t panel = 0;
+    glm::dmat3 picture_from_plane{1.0};  // pixels of its picture; homogeneous
+};
+
 struct Screen {
     std::vector<Panel> panels;
     std::vector<Number> numbers{};
     std::vector<Plot> plots{};
     std::vector<Table> tables{};
     std::optional<Walked> walked{};  // to be stepped through
+    std::optional<Handles> handles{};
 };
 
 /// A panel's picture with its marks.

@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "apps/scanlight/text_table.h"
 #include "apps/scene/parse.h"
 #include "apps/scene/usage_error.h"
+#include "mesh/corner_text.h"
 
 namespace scanlight::demo {
 
@@ -14,9 +19,12 @@ namespace {
 
 using apps::UsageError;
 
-double start_of(const Control& control) {
+/// None of corners, which start as a choice has them.
+std::optional<double> start_of(const Control& control) {
     if (const auto* slider = std::get_if<Slider>(&control.kind)) return slider->start;
-    return static_cast<double>(std::get<Choice>(control.kind).start);
+    if (const auto* choice = std::get_if<Choice>(&control.kind))
+        return static_cast<double>(choice->start);
+    return std::nullopt;
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -24,15 +32,6 @@ std::string joined(const std::vector<std::string>& words) {
     for (const std::string& word : words)
         text += (text.empty() ? "" : ", ") + word;
     return text;
-}
-
-const Control& control_named(const Lesson& lesson, const std::string& name) {
-    const auto found = std::ranges::find(lesson.controls, name, &Control::name);
-    if (found != lesson.controls.end()) return *found;
-    std::vector<std::string> names;
-    for (const Control& control : lesson.controls)
-        names.push_back(control.name);
-    throw UsageError(lesson.name + " has no control '" + name + "', but " + joined(names));
 }
 
 /// A slider stands at no more digits than it shows.
@@ -62,12 +61,43 @@ double parsed(const Choice& choice, const std::string& name, const std::string& 
     return static_cast<double>(found - choice.words.begin());
 }
 
+glm::dvec2 checked(const Corners& corners, const std::string& name, const glm::dvec2& place) {
+    const glm::dvec2 nearest = held(corners, place);
+    if (glm::distance(nearest, place) < 1e-9) return nearest;
+    throw UsageError(name + " '" + mesh::corners_text({&place, 1}) + "': expected " +
+                     mesh::corners_text({&nearest, 1}) + ", the nearest place of a corner");
+}
+
+Polygon parsed(const Corners& corners, const std::string& name, const std::string& text) {
+    Polygon polygon = mesh::parse_corners(text, name);
+    for (glm::dvec2& corner : polygon)
+        corner = checked(corners, name, corner);
+    return polygon;
+}
+
+/// Those that start as the choice has them.
+void put_back(Settings& settings, const Lesson& lesson, const Control& choice) {
+    for (const Control& control : lesson.controls) {
+        const auto* corners = std::get_if<Corners>(&control.kind);
+        if (corners != nullptr && corners->choice == choice.name)
+            settings.corners.erase(control.name);
+    }
+}
+
+/// Whether the control stands where it starts.
+bool is_at_start(const Control& control, const Settings& settings) {
+    if (std::holds_alternative<Corners>(control.kind))
+        return !settings.corners.contains(control.name);
+    return settings.at(control.name) == start_of(control);
+}
+
 }  // namespace
 
 Settings starting_settings(const Lesson& lesson) {
     Settings settings;
-    for (const Control& control : lesson.controls)
-        settings[control.name] = start_of(control);
+    for (const Control& control : lesson.controls) {
+        if (const auto start = start_of(control)) settings[control.name] = *start;
+    }
     return settings;
 }
 
@@ -79,7 +109,8 @@ std::vector<double> stops_of(const Control& control) {
                             (slider->high - slider->low) * i / std::max(1, slider->stops - 1));
         return stops;
     }
-    for (std::size_t i = 0; i < std::get<Choice>(control.kind).words.size(); ++i)
+    const auto* choice = std::get_if<Choice>(&control.kind);
+    for (std::size_t i = 0; choice != nullptr && i < choice->words.size(); ++i)
         stops.push_back(static_cast<double>(i));
     return stops;
 }
@@ -88,6 +119,21 @@ std::string value_text(const Control& control, double value) {
     if (const auto* slider = std::get_if<Slider>(&control.kind))
         return apps::fixed(value, slider->digits);
     return std::get<Choice>(control.kind).words[static_cast<std::size_t>(value)];
+}
+
+std::string text_of(const Control& control, const Settings& settings) {
+    if (std::holds_alternative<Corners>(control.kind))
+        return mesh::corners_text(polygon_of(control, settings));
+    return value_text(control, settings.at(control.name));
+}
+
+std::vector<std::string> assignments_of(const Lesson& lesson, const Settings& settings) {
+    std::vector<std::string> assignments;
+    for (const Control& control : lesson.controls) {
+        if (!is_at_start(control, settings))
+            assignments.push_back(control.name + "=" + text_of(control, settings));
+    }
+    return assignments;
 }
 
 double held(const Control& control, double value) {
@@ -99,14 +145,48 @@ double held(const Control& control, double value) {
     return std::clamp(std::round(value), 0.0, last);
 }
 
+glm::dvec2 held(const Corners& corners, const glm::dvec2& place) {
+    const glm::dvec2 inside = glm::clamp(place, corners.low, corners.high);
+    return glm::round(inside * corners.places_a_unit) / corners.places_a_unit + 0.0;  // never -0
+}
+
+Settings with_value(Settings settings, const Lesson& lesson, const Control& control, double value) {
+    settings[control.name] = held(control, value);
+    put_back(settings, lesson, control);
+    return settings;
+}
+
+const Polygon& polygon_of(const Control& control, const Settings& settings) {
+    const auto moved = settings.corners.find(control.name);
+    if (moved != settings.corners.end()) return moved->second;
+    const auto& corners = std::get<Corners>(control.kind);
+    return corners.starts.at(static_cast<std::size_t>(settings.at(corners.choice)));
+}
+
+Settings with_corner_at(Settings settings, const Control& control, std::size_t corner,
+                        const glm::dvec2& place) {
+    Polygon polygon = polygon_of(control, settings);
+    const glm::dvec2 nearest = held(std::get<Corners>(control.kind), place);
+    if (polygon.at(corner) == nearest) return settings;
+    polygon[corner] = nearest;
+    settings.corners[control.name] = std::move(polygon);
+    return settings;
+}
+
 void set(Settings& settings, const Lesson& lesson, const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string::npos)
         throw UsageError("'" + assignment + "': expected CONTROL=VALUE");
     const Control& control = control_named(lesson, assignment.substr(0, equals));
     const std::string text = assignment.substr(equals + 1);
-    settings[control.name] = std::visit(
-        [&](const auto& kind) { return parsed(kind, control.name, text); }, control.kind);
+    if (const auto* corners = std::get_if<Corners>(&control.kind)) {
+        settings.corners[control.name] = parsed(*corners, control.name, text);
+    } else if (const auto* slider = std::get_if<Slider>(&control.kind)) {
+        settings[control.name] = parsed(*slider, control.name, text);
+    } else {
+        settings[control.name] = parsed(std::get<Choice>(control.kind), control.name, text);
+        put_back(settings, lesson, control);
+    }
 }
 
 void set_frame(Settings& settings, const Lesson& lesson, int frame) {
@@ -117,6 +197,15 @@ void set_frame(Settings& settings, const Lesson& lesson, int frame) {
                          " has frames from 0 to " + std::to_string(stops.size() - 1));
     }
     settings[control.name] = stops[static_cast<std::size_t>(frame)];
+}
+
+const Control& control_named(const Lesson& lesson, const std::string& name) {
+    const auto found = std::ranges::find(lesson.controls, name, &Control::name);
+    if (found != lesson.controls.end()) return *found;
+    std::vector<std::string> names;
+    for (const Control& control : lesson.controls)
+        names.push_back(control.name);
+    throw UsageError(lesson.name + " has no control '" + name + "', but " + joined(names));
 }
 
 const std::string& word_of(const Lesson& lesson, const Settings& settings,

@@ -24,7 +24,9 @@ std::string shapes_text() {
 void add_shapes_command(CLI::App& program) {
     CLI::App* command =
         program.add_subcommand("shapes", "The built-in shapes and their parameters");
-    command->footer("Parameters follow the name: torus:48,24.\nExample:\n  scanlight shapes");
+    command->footer(
+        "Parameters follow the name: torus:48,24, polygon:0,1:-1,-1:1,-1.\nExample:\n"
+        "  scanlight shapes");
     command->callback([] { print_data(shapes_text()); });
 }
 

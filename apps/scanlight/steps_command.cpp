@@ -190,6 +190,7 @@ void add_steps_command(CLI::App& program) {
         "Examples:\n"
         "  scanlight steps shape:star --view 0,0\n"
         "  scanlight steps ngon:3 --view 10,30 --light point:0,0,2 --shading phong\n"
+        "  scanlight steps polygon:0,1:-0.8,-0.8:0,-0.3:0.8,-0.8 --view 0,0\n"
         "  scanlight steps cube --polygon all --json -o cube.json\n"
         "  scanlight steps docs/scenes/still-life.toml --object 5 --shading flat\n"
         "  scanlight steps cube --floor --shadows zfail --pixel 5,14");

@@ -27,7 +27,8 @@ namespace scanlight::apps {
 namespace {
 
 /// Dotted keys nest without the parser's limit, and all of their levels lie in one line.
-constexpr std::ptrdiff_t most_dots_a_line = 100;
+/// The corners of a polygon have fewer dots.
+constexpr std::ptrdiff_t most_dots_a_line = 160;
 
 Place place_of(const toml::source_position& position) {
     return {static_cast<int>(position.line), static_cast<int>(position.column)};

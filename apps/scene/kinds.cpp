@@ -19,6 +19,7 @@ constexpr double largest_intensity = 1e6;
 constexpr double largest_factor = 1e6;
 constexpr double most_repeats = 1e4;
 constexpr std::size_t longest_text = 200;
+constexpr std::size_t longest_shape = 2000;  // a polygon names all its corners
 constexpr std::size_t longest_path = 4096;
 constexpr std::size_t most_turns = 16;
 
@@ -406,14 +407,14 @@ Kind<std::string> image_path() {
 
 Kind<std::string> shape_name() {
     const auto read = [](const Value& value, const Folder&) {
-        const auto name = text_in(value, longest_text);
+        const auto name = text_in(value, longest_shape);
         return name ? std::optional("shape:" + *name) : std::nullopt;
     };
     const auto write = [](const std::string& input, const Folder&) {
         const bool has_prefix = input.starts_with("shape:");
         return toml_string(has_prefix ? input.substr(6) : input);
     };
-    return {"a built-in shape, such as \"teapot\" or \"torus:48,24\"", text_schema(longest_text),
+    return {"a built-in shape, such as \"teapot\" or \"torus:48,24\"", text_schema(longest_shape),
             read, write};
 }
 

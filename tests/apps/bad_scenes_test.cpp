@@ -189,9 +189,9 @@ TEST(BadScenes, CannotNestThemselvesThroughTheStack) {
         }
     }
     EXPECT_EQ(complaint("[" + repeated("a.", 300000) + "a]\n"),
-              "1:1: more than 100 dots in a line");
+              "1:1: more than 160 dots in a line");
     EXPECT_EQ(complaint("\n" + repeated("a.", 300000) + "a = 1\n"),
-              "2:1: more than 100 dots in a line");
+              "2:1: more than 160 dots in a line");
     EXPECT_EQ(complaint(repeated("#", 9) + repeated(".", 300) + "\n"), "nothing");
 }
 

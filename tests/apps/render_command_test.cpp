@@ -192,6 +192,25 @@ TEST(Render, WithoutBackgroundThereIsAlpha) {
     expect_shape(load<Image8>(shell, "b.ppm"), 32, 32, 4);
 }
 
+TEST(Render, APolygonIsSeenFromItsSideWhicheverWayRoundItIsSaid) {
+    const Shell shell;
+    const std::string options = " --view 0,0 --cull back -s 32x24 -o ";
+    run(shell, "scanlight render polygon:0,1:-1,-1:0.5,-0.25" + options + "a.png");
+    run(shell, "scanlight render polygon:0,1:0.5,-0.25:-1,-1" + options + "b.png");
+    EXPECT_EQ(shell.read("a.png"), shell.read("b.png"));
+}
+
+TEST(Render, APolygonWithoutAnAreaIsRefusedInOneLine) {
+    const Shell shell;
+    for (const char* polygon : {"0,0:1,1:2,2", "0,0:1,1", "0,0:1,0:nan,1", "0,0:1,0:0;1"}) {
+        const Outcome outcome =
+            shell.run("scanlight render 'polygon:" + std::string(polygon) + "' -o a.png");
+        EXPECT_EQ(outcome.status, 2) << polygon;
+        EXPECT_TRUE(is_one_complaint(outcome.err)) << outcome.err;
+    }
+    EXPECT_FALSE(shell.has("a.png"));
+}
+
 TEST(Render, TheBackgroundIsTheColourAskedFor) {
     const Shell shell;
     run(shell, "scanlight render ngon:64 --view 0,0 -o a.png -s 32x32 --background '#102030'");

@@ -258,6 +258,14 @@ TEST(SceneFile, WhatIsWrittenIsReadAgain) {
     }
 }
 
+/// With as many corners as there may be: a saw's upper side, and its lower one.
+std::string saw() {
+    std::string text = "polygon:0,-1:32,-1";
+    for (int i = 61; i >= 0; --i)
+        text += ":" + std::to_string(i) + ".125," + std::to_string(i % 2) + ".0625";
+    return text;
+}
+
 TEST(SceneFile, SavedSceneDrawsTheSamePicture) {
     const Shell shell;
     shell.run("mkdir deep");
@@ -279,6 +287,7 @@ TEST(SceneFile, SavedSceneDrawsTheSamePicture) {
         "cube --floor --shadows map --shadow-map-size 64 --shadow-bias 2 --shadow-pcf 3",
         "torus:9,7 --illumination hall --material \"kdt=0.6 kt=0.2 nt=4\" --ior 1.2 --light "
         "0,0,-1",
+        saw() + " --view 0,0",
     };
     for (const std::string& line : lines) {
         const std::string size = " -s 60x40 -q";

@@ -25,14 +25,24 @@ inline std::vector<double> telling_stops(const Control& control) {
     return {stops.front(), stops.back()};
 }
 
-/// Where the controls start, and each at its telling stops with the others at their start.
+/// The control at its telling stops, the others standing as in `others`. Of corners the first is
+/// moved as far as it goes.
+inline std::vector<Settings> at_ends(const Lesson& lesson, const Control& control,
+                                     const Settings& others) {
+    if (const auto* corners = std::get_if<Corners>(&control.kind))
+        return {others, with_corner_at(others, control, 0, corners->high)};
+    std::vector<Settings> all;
+    for (const double stop : telling_stops(control))
+        all.push_back(with_value(others, lesson, control, stop));
+    return all;
+}
+
+/// Where the controls start, and each at its ends with the others at their start.
 inline std::vector<Settings> ends_of_controls(const Lesson& lesson) {
     std::vector<Settings> all{starting_settings(lesson)};
     for (const Control& control : lesson.controls) {
-        for (const double stop : telling_stops(control)) {
-            all.push_back(starting_settings(lesson));
-            all.back()[control.name] = stop;
-        }
+        const auto ends = at_ends(lesson, control, starting_settings(lesson));
+        all.insert(all.end(), ends.begin(), ends.end());
     }
     return all;
 }

@@ -6,15 +6,20 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
+#include <glm/common.hpp>
+
 #include "apps/demo/lesson.h"
+#include "apps/demo/plane_in_picture.h"
 #include "apps/demo/settings.h"
 #include "apps/demo/stage.h"
 #include "apps/demo/walk.h"
 #include "apps/scene/usage_error.h"
+#include "mesh/corner_text.h"
 #include "raster/srgb.h"
 #include "tests/demo/all_screens.h"
 #include "tests/golden/golden.h"
@@ -57,6 +62,7 @@ TEST_P(EachLesson, DrawsAtBothEndsOfEachControl) {
 TEST_P(EachLesson, StartsAtAStop) {
     for (const Control& control : GetParam().controls) {
         const auto stops = stops_of(control);
+        if (stops.empty()) continue;  // corners
         const double start = starting_settings(GetParam()).at(control.name);
         const auto is_start = [&](double stop) {
             return value_text(control, stop) == value_text(control, start);
@@ -76,12 +82,9 @@ bool differ(const Screen& a, const Screen& b) {
 
 /// From its first stop to its last, the others standing as in `others`.
 bool changes(const Lesson& lesson, const Control& control, const Settings& others) {
-    Settings first = others;
-    Settings last = others;
-    first[control.name] = stops_of(control).front();
-    last[control.name] = stops_of(control).back();
-    return differ(lesson.draw(first, small_panel, one_thread),
-                  lesson.draw(last, small_panel, one_thread));
+    const auto ends = at_ends(lesson, control, others);
+    return differ(lesson.draw(ends.front(), small_panel, one_thread),
+                  lesson.draw(ends.back(), small_panel, one_thread));
 }
 
 TEST_P(EachLesson, EachControlChangesWhatIsShown) {
@@ -91,6 +94,19 @@ TEST_P(EachLesson, EachControlChangesWhatIsShown) {
         EXPECT_TRUE(std::ranges::any_of(all, [&](const Settings& others) {
             return changes(lesson, control, others);
         })) << control.name;
+    }
+}
+
+TEST_P(EachLesson, ItsCornersStartWhereCornersCanBe) {
+    for (const Control& control : GetParam().controls) {
+        const auto* corners = std::get_if<Corners>(&control.kind);
+        if (corners == nullptr) continue;
+        const auto& choice = std::get<Choice>(control_named(GetParam(), corners->choice).kind);
+        EXPECT_EQ(corners->starts.size(), choice.words.size());
+        for (const Polygon& polygon : corners->starts) {
+            for (const glm::dvec2& corner : polygon)
+                EXPECT_EQ(held(*corners, corner), corner);
+        }
     }
 }
 
@@ -308,7 +324,150 @@ TEST(EdgeTableWalk, AnyStepBeyondTheLastIsTheLast) {
     EXPECT_FALSE(picture("30") == picture("31"));
 }
 
+// ---- the polygon's corners
+
+/// A quad, a concave one, one that crosses itself, and one with level edges.
+const std::vector<std::string> moved_polygons{
+    "0.1,1.12:-2.35,1.24:-0.1,-1.12:1.6,-0.28", "0,1.12:-1.35,-0.92:0,0:1.35,-0.92",
+    "-1.5,-0.96:1.5,0.8:1.5,-0.96:-1.5,0.92", "-1,0.4:-1,-0.4:1,-0.4:1,0.4"};
+
+Screen with_corners(const std::string& corners, const std::string& shading = "gouraud") {
+    return drawn("edge-table", {"corners=" + corners, "shading=" + shading});
+}
+
+/// In pixels of the grid.
+std::vector<glm::dvec2> seen_corners(const Screen& screen) {
+    std::vector<glm::dvec2> corners;
+    for (const auto& corner : screen.walked->steps.corners)
+        corners.emplace_back(corner.x, corner.y);
+    return corners;
+}
+
+/// The rows whose centres an edge crosses, from the upper end, which counts, to the lower.
+int rows_crossed(const glm::dvec2& a, const glm::dvec2& b) {
+    const auto first_centre = [](double y) { return static_cast<int>(std::ceil(y - 0.5)); };
+    return std::abs(first_centre(a.y) - first_centre(b.y));
+}
+
+TEST(EdgeTableCorners, EachEdgeIsInTheTableForTheRowsThatItCrosses) {
+    for (const std::string& corners : moved_polygons) {
+        const Screen screen = with_corners(corners);
+        const auto seen = seen_corners(screen);
+        std::map<std::uint32_t, int> rows;
+        for (const auto& edge : screen.walked->steps.trace.edge_table)
+            rows[edge.index] += edge.y_end - edge.y_begin;
+        for (std::uint32_t i = 0; i < seen.size(); ++i)
+            EXPECT_EQ(rows[i], rows_crossed(seen[i], seen[(i + 1) % seen.size()])) << corners << i;
+    }
+}
+
+/// By the definition: whether a ray to the left crosses the outline an odd number of times.
+bool is_inside(const std::vector<glm::dvec2>& polygon, const glm::dvec2& p) {
+    bool inside = false;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const glm::dvec2 a = polygon[i];
+        const glm::dvec2 b = polygon[(i + 1) % polygon.size()];
+        if ((a.y > p.y) == (b.y > p.y)) continue;
+        if (a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) < p.x) inside = !inside;
+    }
+    return inside;
+}
+
+/// Inside by a hair where it lies on an upper or left edge.
+glm::dvec2 centre_of(int x, int y) {
+    return {x + 0.5 + 1e-7, y + 0.5 + 1e-7};
+}
+
+TEST(EdgeTableCorners, StoredAreThePixelsWhoseCentresAreInsideByEvenAndOdd) {
+    for (const std::string& corners : moved_polygons) {
+        const Screen screen = with_corners(corners);
+        const auto seen = seen_corners(screen);
+        std::set<std::pair<int, int>> stored;
+        for (const auto& line : screen.walked->steps.trace.scanlines) {
+            for (const auto& span : line.spans) {
+                for (int x = span.x_begin; x < span.x_end; ++x)
+                    stored.insert({x, line.y});
+            }
+        }
+        for (int y = 0; y < 16; ++y) {
+            for (int x = 0; x < 24; ++x)
+                EXPECT_EQ(stored.contains({x, y}), is_inside(seen, centre_of(x, y)))
+                    << corners << " at " << x << "," << y;
+        }
+    }
+}
+
+TEST(EdgeTableCorners, AreWhereTheHandlesAre) {
+    for (const std::string& corners : moved_polygons) {
+        const Screen screen = with_corners(corners);
+        const auto seen = seen_corners(screen);
+        const double cell = screen.panels.front().picture.width() / 24.0;
+        const auto& handles = *screen.handles;
+        const glm::dvec2 first = mesh::parse_corners(corners, "corners").front();
+        const glm::dvec2 at = mapped(handles.picture_from_plane, first) / cell;
+        EXPECT_NEAR(at.x, seen.front().x, 1e-9) << corners;
+        EXPECT_NEAR(at.y, seen.front().y, 1e-9) << corners;
+        EXPECT_EQ(4.0 * seen.front(), glm::round(4.0 * seen.front())) << "quarters of a pixel";
+    }
+}
+
+TEST(EdgeTableCorners, OneMovedLeavesTheOthersWhereTheyWere) {
+    const auto before = seen_corners(with_corners("0.1,1.12:-1.7,0.2:-0.1,-1.12:1.6,-0.28"));
+    const auto after = seen_corners(with_corners("0.1,1.12:-2.3,1.2:-0.1,-1.12:1.6,-0.28"));
+    ASSERT_EQ(before.size(), after.size());
+    for (std::size_t i = 0; i < before.size(); ++i)
+        EXPECT_EQ(before[i] == after[i], i != 1) << i;
+}
+
+TEST(EdgeTableCorners, DrawTheSameByTheTextbooksWalk) {
+    const Lesson& lesson = lesson_named("edge-table");
+    for (const std::string& corners : moved_polygons) {
+        Settings settings = starting_settings(lesson);
+        set(settings, lesson, "corners=" + corners);
+        const apps::Means textbook{apps::DrawPath::textbook, {}};
+        EXPECT_TRUE(lesson.draw(settings, small_panel, one_thread).walked->picture ==
+                    lesson.draw(settings, small_panel, textbook).walked->picture)
+            << corners;
+    }
+}
+
+TEST(EdgeTableCorners, OfNothingToFillAreRefused) {
+    for (const char* corners : {"0,0:1,0.04:2,0.08", "0,0:0.05,0.04:0,0.04", "1,1:1,1:1,1"})
+        EXPECT_ANY_THROW(with_corners(corners)) << corners;
+}
+
+TEST(EdgeTableCorners, GoBackWhenAPolygonIsChosen) {
+    const Lesson& lesson = lesson_named("edge-table");
+    Settings settings = starting_settings(lesson);
+    set(settings, lesson, "corners=0,1:-1,-1:1,-1");
+    EXPECT_EQ(assignments_of(lesson, settings), std::vector<std::string>{"corners=0,1:-1,-1:1,-1"});
+    set(settings, lesson, "polygon=quad");
+    EXPECT_EQ(settings, starting_settings(lesson));
+}
+
 // ---- controls
+
+TEST(Settings, CornersAreTakenAtTheirPlaces) {
+    const Lesson& lesson = lesson_named("edge-table");
+    Settings settings = starting_settings(lesson);
+    const auto message_of = [&](const std::string& corners) -> std::string {
+        try {
+            set(settings, lesson, "corners=" + corners);
+        } catch (const std::exception& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(message_of("0,1:-2.35,-1:2.35,-1.24"), "");
+    EXPECT_EQ(text_of(control_named(lesson, "corners"), settings), "0,1:-2.35,-1:2.35,-1.24");
+    EXPECT_EQ(message_of("0,1.23:1,0:0,0"),
+              "corners '0,1.23': expected 0,1.24, the nearest place of a corner");
+    EXPECT_EQ(message_of("0,1:-2.4,0:0,0"),
+              "corners '-2.4,0': expected -2.35,0, the nearest place of a corner");
+    EXPECT_EQ(message_of("0,1:1,0"), "corners: 2 corners, expected 3 to 64 as X,Y:X,Y:X,Y");
+    EXPECT_EQ(message_of("0,1:1,0:nan,0"),
+              "corners: \"nan,0\" is no corner X,Y of two numbers from -1000 to 1000");
+}
 
 TEST(Settings, TakeWhatTheyShow) {
     const Lesson& lesson = lesson_named("mach-bands");

@@ -44,9 +44,9 @@ TEST_P(Commands, DrawThePicturesAboveThem) {
     for (const Panel& panel : screen.panels) {
         const Outcome outcome = shell.run(panel.command);
         ASSERT_LT(outcome.status, 2) << panel.command << "\n" << outcome.err;
-        if (screen.walked) continue;  // a command of numbers
         const auto drawn = raster::load_image(shell / output_of(panel.command));
-        EXPECT_TRUE(std::get<raster::Image8>(drawn) == panel.picture) << panel.command;
+        const auto& shown = screen.walked ? screen.walked->picture : panel.picture;
+        EXPECT_TRUE(std::get<raster::Image8>(drawn) == shown) << panel.command;
     }
 }
 
@@ -73,6 +73,33 @@ TEST(DemoProgram, WritesALessonAsAFileOrIntoAPipe) {
     EXPECT_EQ(shell.read("a.png"), shell.read("b.png"));
 }
 
+TEST(DemoProgram, MovedCornersAreDrawnByTheCommandUnderThePicture) {
+    const Shell shell;
+    const Lesson& lesson = lesson_named("edge-table");
+    Settings settings = starting_settings(lesson);
+    const std::string corners = "corners=0.1,1.12:-2.3,1.2:-0.1,-1.12:1.6,-0.28";
+    set(settings, lesson, corners);
+    const Screen screen = lesson.draw(settings, small_panel, one_thread);
+    ASSERT_EQ(shell.run(screen.panels.front().command).status, 0);
+    EXPECT_TRUE(std::get<raster::Image8>(raster::load_image(shell / "picture.png")) ==
+                screen.walked->picture);
+    const std::string line = "scanlight-demo --lesson edge-table --set " + corners;
+    const Outcome outcome = shell.run(line + " -s 120x90 -o lesson.png");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(std::get<raster::Image8>(raster::load_image(shell / "lesson.png")) ==
+                picture_of(screen));
+    EXPECT_NE(outcome.out.find("--set " + corners), std::string::npos) << outcome.out;
+}
+
+TEST(DemoProgram, ASmallPolygonIsShownAtItsLastStep) {
+    const Shell shell;
+    const std::string line =
+        "scanlight-demo --lesson edge-table -s 48x32 --set corners=0,0:0,0.2:0.2,0";
+    const Outcome outcome = shell.run(line + " -o a.png");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(shell.run(line + " --set step=61").status, 2);
+}
+
 TEST(DemoProgram, AFrameIsAStopOfTheFirstControl) {
     const Shell shell;
     EXPECT_EQ(
@@ -90,6 +117,9 @@ TEST(DemoProgram, RefusesWhatItCannotDo) {
           "--lesson mach-bands --frame 99", "--lesson edge-table --set step=400",
           "--lesson edge-table --frame 400", "--lesson lost-highlight --set level=2.5",
           "--lesson mach-bands --language de", "--frame 1", "--nonsense",
+          "--lesson edge-table --set corners=0,0:1,1", "--lesson edge-table --set corners=x",
+          "--lesson edge-table --set corners=0,0:1,0.04:2,0.08",
+          "--lesson edge-table --set corners=0,0:0.05,0.04:0,0.04",
           "--lesson mach-bands -o picture.xyz", "--lesson mach-bands --size 0x3",
           "--export /dev/null/course"}) {
         const Outcome outcome = shell.run(std::string("scanlight-demo ") + arguments);
@@ -147,6 +177,12 @@ TEST(Page, HoldsAllThatItNeeds) {
     EXPECT_NE(page.find("data:image/png;base64,iVBOR"), std::string::npos);
     EXPECT_NE(page.find("class Stepper"), std::string::npos);
     EXPECT_EQ(page.find("{{style}}"), std::string::npos);
+}
+
+TEST(Page, SaysWhatTheWindowAloneCanSet) {
+    EXPECT_NE(small_page().find("\"pointed\":[\"corners\"]"), std::string::npos);
+    EXPECT_NE(small_page().find("\"pointed\":[]"), std::string::npos);
+    EXPECT_EQ(small_page().find("\"name\":\"corners\""), std::string::npos);
 }
 
 TEST(Page, NamesNoAddress) {

@@ -7,6 +7,7 @@
 
 #include "mesh/bounds.h"
 #include "mesh/build.h"
+#include "mesh/corner_text.h"
 #include "mesh/file_error.h"
 #include "mesh/teapot.h"
 #include "tests/mesh/soups.h"
@@ -43,7 +44,7 @@ TEST(Shapes, ClosedOnesHaveTheirEulerNumberAndLookOutward) {
 }
 
 TEST(Shapes, EveryListedOneBuildsWithoutParametersWithinItsRoom) {
-    EXPECT_EQ(list_shapes().size(), 13u);
+    EXPECT_EQ(list_shapes().size(), 14u);
     for (const ShapeInfo& info : list_shapes()) {
         EXPECT_TRUE(is_shape(info.name));
         const auto [mesh, report] = build(shape(info.name));
@@ -58,8 +59,12 @@ TEST(Shapes, EveryListedOneBuildsWithoutParametersWithinItsRoom) {
 }
 
 TEST(Shapes, FlatOnesFaceUpOrForward) {
-    for (const auto& [name, normal] : std::map<std::string, glm::vec3>{
-             {"plane:3", {0, 1, 0}}, {"ngon:7", {0, 0, 1}}, {"star:9", {0, 0, 1}}}) {
+    for (const auto& [name, normal] :
+         std::map<std::string, glm::vec3>{{"plane:3", {0, 1, 0}},
+                                          {"ngon:7", {0, 0, 1}},
+                                          {"star:9", {0, 0, 1}},
+                                          {"polygon:0,0:1,0:0,1", {0, 0, 1}},
+                                          {"polygon:0,0:0,1:1,0", {0, 0, 1}}}) {
         for (const glm::vec3& n : build(shape(name)).mesh.face_normals) {
             EXPECT_EQ(n, normal) << name;
         }
@@ -144,6 +149,76 @@ TEST(Shapes, AParameterOutOfRangeIsRefusedWithTheRange) {
     EXPECT_EQ(message_of("icosphere:0"), "no error");
     EXPECT_EQ(message_of("sphere:3,2"), "no error");
     EXPECT_EQ(message_of("cube:1"), "shape cube takes no parameters");
+}
+
+// ---- a polygon by its corners
+
+std::vector<glm::vec3> corners_of(const std::string& text) {
+    const PolygonSoup soup = shape(text);
+    std::vector<glm::vec3> corners;
+    for (const auto& corner : soup.face(0))
+        corners.push_back(soup.positions[corner.position]);
+    return corners;
+}
+
+std::string polygon_of(std::size_t corners) {
+    std::string text = "polygon";
+    for (std::size_t i = 0; i < corners; ++i) {
+        const double x = static_cast<double>(i);
+        text += ":" + std::to_string(x) + "," + std::to_string(0.01 * x * x);
+    }
+    return text;
+}
+
+TEST(PolygonShape, HasTheCornersThatAreSaid) {
+    using Corners = std::vector<glm::vec3>;
+    EXPECT_EQ(corners_of("polygon:0,1:-1,-1:0.5,-0.25"),
+              (Corners{{0, 1, 0}, {-1, -1, 0}, {0.5, -0.25, 0}}));
+    EXPECT_EQ(corners_of("polygon:1e3,-1000:1000,0:.5,0").size(), 3u);
+    EXPECT_EQ(corners_of("polygon").size(), 4u);
+}
+
+TEST(PolygonShape, ThatGoesClockwiseIsTheSameOneTurned) {
+    EXPECT_EQ(corners_of("polygon:0,0:0,2:1,1:2,0"), corners_of("polygon:0,0:2,0:1,1:0,2"));
+}
+
+TEST(PolygonShape, Has3To64Corners) {
+    EXPECT_EQ(message_of(polygon_of(3)), "no error");
+    EXPECT_EQ(message_of(polygon_of(64)), "no error");
+    EXPECT_EQ(message_of(polygon_of(2)),
+              "shape polygon: 2 corners, expected 3 to 64 as X,Y:X,Y:X,Y");
+    EXPECT_EQ(message_of(polygon_of(65)),
+              "shape polygon: 65 corners, expected 3 to 64 as X,Y:X,Y:X,Y");
+    EXPECT_EQ(message_of("polygon:"), "shape polygon: 1 corner, expected 3 to 64 as X,Y:X,Y:X,Y");
+}
+
+TEST(PolygonShape, RefusesWhatIsNoCorner) {
+    for (const std::string corner : {"", "1", "1,", ",1", "1,2,3", "1,x", "nan,0", "inf,0",
+                                     "0,1001", "-1000.5,0", "1e99,0", " 1,2", "1;2", "0x1,0"}) {
+        EXPECT_EQ(
+            message_of("polygon:0,0:" + corner + ":1,0"),
+            "shape polygon: \"" + corner + "\" is no corner X,Y of two numbers from -1000 to 1000");
+    }
+}
+
+TEST(PolygonShape, HasAnArea) {
+    for (const char* text :
+         {"polygon:0,0:1,1:2,2", "polygon:1,1:1,1:1,1", "polygon:0,0:1,0:0,0:1,0"})
+        EXPECT_EQ(message_of(text), "shape polygon: its corners enclose no area") << text;
+    EXPECT_EQ(message_of("polygon:0,0:1,1:2,2.0001"), "no error");
+}
+
+TEST(PolygonShape, MayBeConcaveAndCrossItself) {
+    for (const char* text : {"polygon:0,1:-1,-1:0,0:1,-1", "polygon:-1,-1:1,1:1,-1:-1,1"}) {
+        const auto [mesh, report] = build(shape(text));
+        EXPECT_EQ(report.drawn, 1u) << text;
+        EXPECT_EQ(mesh.face_normals.at(0), glm::vec3(0, 0, 1)) << text;
+    }
+}
+
+TEST(PolygonShape, ItsTextIsAsShortAsTellsTheNumbers) {
+    for (const char* text : {"0.05,1.12:-1.7,0.2:3,0", "0,0:1,0:0.1,0.30000000000000004"})
+        EXPECT_EQ(corners_text(parse_corners(text, "polygon")), text);
 }
 
 TEST(Teapot, HasNewellsSize) {

@@ -149,6 +149,19 @@ press next
 read_places --window --lesson perspective
 slide azimuth 60 99
 expect_lesson perspective 2 --set azimuth=45
+press previous
+press previous
+press previous
+press previous
+read_places --window --lesson edge-table
+read -r x0 y0 _ <<<"${places[corner-0]}"
+read -r x1 y1 _ <<<"${places[corner-1]}"
+cell=$(((x0 - x1 + 4) / 9)) # that many pixels of the grid are between them
+drag "$x1" "$y1" $((x1 + 2 * cell)) $((y1 + cell))
+expect_lesson edge-table 1 --set corners=0.1,1.12:-1.3,0.04:-0.1,-1.12:1.6,-0.28
+press put-back
+expect_lesson edge-table 1
+for _ in 1 2 3 4; do press next; done
 for _ in 1 2 3; do key Next; done
 key End
 key Left

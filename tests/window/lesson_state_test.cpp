@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "apps/demo/settings.h"
+#include "apps/demo/window/corner_handles.h"
 #include "apps/demo/window/lesson_events.h"
+#include "apps/demo/window/lesson_layout.h"
 #include "apps/scene/usage_error.h"
 
 namespace scanlight::apps::window {
@@ -32,6 +34,22 @@ WindowState after_all(WindowState state, const std::vector<Event>& events) {
     }
     return state;
 }
+
+/// Where a corner is in such pictures.
+Point corner_place(const WindowState& state, std::size_t corner) {
+    const demo::Screen screen = screen_of(state.lesson);
+    return corner_places(state.lesson, {screen, {{0, 0, 100, 80}}, {100, 80}}).at(corner);
+}
+
+/// Of the grid, in pixels of the picture.
+constexpr double cell = 3.0;
+
+std::string corners_of(const WindowState& state) {
+    const demo::Lesson& lesson = state.lesson.lesson();
+    return demo::text_of(demo::control_named(lesson, "corners"), state.lesson.settings);
+}
+
+constexpr const char* quad = "0.1,1.12:-1.7,0.2:-0.1,-1.12:1.6,-0.28";
 
 double step_of(const WindowState& state) {
     return state.lesson.settings.at("step");
@@ -136,6 +154,90 @@ TEST(LessonEvents, ElsewhereThereIsNothingToPointAt) {
     const WindowState cut = showing("mach-bands");
     EXPECT_EQ(after_all(cut, {Press{{50.0, 200.0}}, Release{}}).lesson.settings,
               cut.lesson.settings);
+}
+
+TEST(LessonEvents, ACornerIsDragged) {
+    WindowState state = showing("edge-table");
+    ASSERT_EQ(corners_of(state), quad);
+    const Point at = corner_place(state, 1);
+    const Point beside{at.x + 2.0, at.y - 1.0};
+    state = after_all(std::move(state), {Press{beside}});
+    EXPECT_EQ(corners_of(state), quad) << "a press moves nothing";
+    EXPECT_TRUE(state.lesson.settings.corners.empty());
+    state = after_all(std::move(state), {Move{{beside.x + 2 * cell, beside.y + cell}}});
+    EXPECT_EQ(corners_of(state), "0.1,1.12:-1.3,0.04:-0.1,-1.12:1.6,-0.28");
+    state = after_all(std::move(state), {Release{}, Move{at}});
+    EXPECT_EQ(corners_of(state), "0.1,1.12:-1.3,0.04:-0.1,-1.12:1.6,-0.28");
+    EXPECT_EQ(command_of(state.lesson),
+              "scanlight-demo --lesson edge-table --set "
+              "corners=0.1,1.12:-1.3,0.04:-0.1,-1.12:1.6,-0.28");
+}
+
+TEST(LessonEvents, ACornerStaysInTheGridAndAtQuartersOfAPixel) {
+    WindowState state = showing("edge-table");
+    const Point at = corner_place(state, 1);
+    state = after_all(std::move(state), {Press{at}, Move{{-900.0, -900.0}}});
+    EXPECT_EQ(corners_of(state), "0.1,1.12:-2.35,1.24:-0.1,-1.12:1.6,-0.28");
+    state = after_all(std::move(state), {Move{{at.x + 0.13 * cell, at.y - 0.12 * cell}}});
+    EXPECT_EQ(corners_of(state), "0.1,1.12:-1.65,0.2:-0.1,-1.12:1.6,-0.28");
+}
+
+TEST(LessonEvents, OnlyTheLeftButtonNearACornerTakesIt) {
+    const WindowState state = showing("edge-table");
+    const Point at = corner_place(state, 1);
+    for (const Press& press : {Press{at, Button::right}, Press{{at.x + 14.0, at.y}}}) {
+        const WindowState after = after_all(state, {press, Move{{40.0, 40.0}}});
+        EXPECT_EQ(corners_of(after), quad);
+        EXPECT_EQ(after.lesson.corner, std::nullopt);
+    }
+}
+
+TEST(LessonEvents, KeysMoveTheCornerThatWasTouched) {
+    WindowState state = after_all(showing("edge-table"), {Nudge{1, 0}});
+    EXPECT_EQ(corners_of(state), quad) << "none was";
+    state = after_all(std::move(state), {Key{'\t'}, Key{'\t'}, Nudge{1, 0}, Nudge{0, -1}});
+    EXPECT_EQ(corners_of(state), "0.1,1.12:-1.65,0.16:-0.1,-1.12:1.6,-0.28");
+    const double start = step_of(state);
+    state = after_all(std::move(state), {NamedKey::right});
+    EXPECT_EQ(step_of(state), start + 1) << "arrows alone step";
+    state = after_all(std::move(state), {Key{'\t'}, Key{'\t'}, Key{'\t'}, Nudge{1, 0}});
+    EXPECT_EQ(state.lesson.corner, std::nullopt) << "after the last";
+    EXPECT_EQ(corners_of(state), "0.1,1.12:-1.65,0.16:-0.1,-1.12:1.6,-0.28");
+}
+
+TEST(LessonEvents, CornersGoBackByThemselvesAndByAnotherPolygon) {
+    const WindowState moved =
+        after_all(showing("edge-table"), {Key{'\t'}, Nudge{1, 0}, Nudge{1, 0}});
+    ASSERT_NE(corners_of(moved), quad);
+    const auto& controls = moved.lesson.lesson().controls;
+    WindowState back = moved;
+    back.lesson =
+        with_corners_back(back.lesson, demo::control_named(back.lesson.lesson(), "corners"));
+    EXPECT_EQ(corners_of(back), quad);
+    WindowState other = moved;
+    other.lesson = with_control(other.lesson, controls[1], 0.0);
+    EXPECT_EQ(corners_of(other), "0.2,1.12:-1.6,-0.76:1.5,-0.52");
+}
+
+TEST(LessonEvents, WhatIsStillSeenOfAnotherLessonHasNoCorners) {
+    const WindowState seen = showing("edge-table");
+    const demo::Screen screen = screen_of(seen.lesson);
+    WindowState state = showing("mach-bands");
+    state.lesson.corner = 1;
+    state.lesson.drag = MovingCorner{1, {}};
+    const auto settings = state.lesson.settings;
+    for (const Event& event : std::vector<Event>{Move{{30.0, 30.0}}, Nudge{1, 0}, Key{'\t'}})
+        state = after_in_lesson(std::move(state), event, {screen, {{0, 0, 100, 80}}, {100, 80}});
+    EXPECT_EQ(state.lesson.settings, settings);
+}
+
+TEST(LessonState, ItsCommandHasNoStepThatItsPolygonHasNot) {
+    WindowState state = showing("edge-table");
+    demo::set(state.lesson.settings, state.lesson.lesson(), "corners=0,0:0,0.2:0.2,0");
+    const demo::Screen screen = screen_of(state.lesson);
+    const LessonState shown = as_shown(state.lesson, screen);
+    EXPECT_EQ(shown.settings.at("step"), last_value(shown.lesson().controls.front(), screen));
+    EXPECT_LT(shown.settings.at("step"), 60.0);
 }
 
 TEST(LessonEvents, ArrowsStepAndStepBack) {

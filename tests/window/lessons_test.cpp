@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <sstream>
 #include <string>
 
 #include "apps/demo/settings.h"
@@ -27,6 +28,21 @@ protected:
         for (std::size_t i = 0; i < boxes.size(); ++i)
             EXPECT_TRUE(part(shown, boxes[i]) == demo::marked(screen.panels[i]))
                 << state.lesson().name << ", panel " << i << ": " << command_of(state);
+    }
+
+    /// That they are those that the command under the pictures draws.
+    static void expect_as_by_command_line(Person& person) {
+        const LessonState& state = person.state().lesson;
+        demo::Settings settings = demo::starting_settings(state.lesson());
+        std::istringstream words(
+            command_of(as_shown(state, person.window().lesson_view().screen())));
+        for (std::string word, before; words >> word; before = word) {
+            if (before == "--set") demo::set(settings, state.lesson(), word);
+        }
+        const demo::Screen screen = state.lesson().draw(settings, asked_size(person), {});
+        EXPECT_TRUE(demo::picture_of(screen) ==
+                    demo::picture_of(person.window().lesson_view().screen()))
+            << words.str();
     }
 
     static raster::Viewport asked_size(const Person& person) {
@@ -134,6 +150,53 @@ TEST_F(LessonWindow, ThePictureItselfIsAControl) {
         expect_as_drawn(person);
         keep(person, std::string("pointed-") + name);
     }
+}
+
+TEST_F(LessonWindow, ACornerOfThePolygonIsDragged) {
+    Person person("teapot", canvas);
+    open(person, 0);
+    const double cell = person.window().lesson_view().sight().pictures.front().width / 24.0;
+    const Point at = person.place_on("corner 1", 0.0);
+    person.drag(at, {at.x + 2 * cell, at.y - 3 * cell});
+    EXPECT_EQ(command_of(person.state().lesson),
+              "scanlight-demo --lesson edge-table --set "
+              "corners=0.1,1.12:-1.3,0.68:-0.1,-1.12:1.6,-0.28");
+    keep(person, "corner-dragged");
+    person.click({at.x, 715.0});  // lets the corner go, and its ring
+    expect_as_drawn(person);
+    expect_as_by_command_line(person);
+    person.click_on("put back");
+    EXPECT_EQ(command_of(person.state().lesson), "scanlight-demo --lesson edge-table");
+    expect_as_drawn(person);
+}
+
+TEST_F(LessonWindow, ACornerIsMovedByKeys) {
+    Person person("teapot", canvas);
+    open(person, 0);
+    person.type(SDLK_TAB);
+    for (int i = 0; i < 3; ++i)
+        person.type(SDLK_DOWN, KMOD_LSHIFT);
+    person.type(SDLK_LEFT, KMOD_LSHIFT);
+    keep(person, "corner-by-keys");
+    EXPECT_EQ(command_of(person.state().lesson),
+              "scanlight-demo --lesson edge-table --set "
+              "corners=0.05,1:-1.7,0.2:-0.1,-1.12:1.6,-0.28");
+    person.click({200.0, 715.0});
+    expect_as_by_command_line(person);
+}
+
+TEST_F(LessonWindow, ACornerIsNotDraggedToWhereNothingIsFilled) {
+    Person person("teapot", canvas);
+    open(person, 0);
+    person.choose("polygon", 0);
+    const Point last = person.place_on("corner 2", 0.0);
+    const Point first = person.place_on("corner 0", 0.0);
+    person.drag(last, first);
+    EXPECT_NE(person.window().message().find("no area"), std::string::npos)
+        << person.window().message();
+    EXPECT_EQ(command_of(person.state().lesson),
+              "scanlight-demo --lesson edge-table --set "
+              "polygon=triangle");
 }
 
 TEST_F(LessonWindow, ItsCommandIsCopied) {

@@ -51,12 +51,13 @@ public:
         event.wheel.y = notches;
         push(event);
     }
-    void type(SDL_Keycode key) { hold(key, 0); }
+    void type(SDL_Keycode key, SDL_Keymod with = KMOD_NONE) { hold(key, 0, with); }
     /// Long enough for the keyboard to repeat it so often.
-    void hold(SDL_Keycode key, int repeats) {
+    void hold(SDL_Keycode key, int repeats, SDL_Keymod with = KMOD_NONE) {
         SDL_Event event{};
         event.type = SDL_KEYDOWN;
         event.key.keysym.sym = key;
+        event.key.keysym.mod = with;
         push(event);
         event.key.repeat = 1;
         for (int i = 0; i < repeats; ++i)

@@ -5,12 +5,15 @@
 #include <vector>
 
 #include "apps/demo/lessons.h"
+#include "apps/demo/plane_in_picture.h"
 #include "apps/demo/settings.h"
 #include "apps/demo/stage.h"
 #include "apps/demo/walk.h"
 #include "apps/scanlight/label.h"
 #include "apps/scanlight/steps_report.h"
 #include "apps/scanlight/text_table.h"
+#include "apps/scene/usage_error.h"
+#include "mesh/corner_text.h"
 #include "raster/develop.h"
 #include "render/wireframe.h"
 
@@ -24,24 +27,56 @@ using render::PolygonSteps;
 using Row = std::vector<std::string>;
 
 constexpr raster::Viewport grid{24, 16};
-constexpr int most_steps = 400;
+constexpr int most_steps = grid.width * grid.height + grid.height + int{mesh::most_corners};
 constexpr apps::Color8 paper{247, 246, 242};
 constexpr apps::Color8 grid_line{214, 210, 202};
+constexpr apps::Color8 ink{26, 42, 96};
 
-const std::vector<std::string> shapes{"ngon:3", "ngon:4", "ngon:5", "star"};
 const std::vector<std::string> shadings{"gouraud", "phong", "flat"};
 
-std::string arguments(const Settings& settings) {
-    const auto word = [&](const std::vector<std::string>& words, const std::string& control) {
-        return words[static_cast<std::size_t>(settings.at(control))];
-    };
-    return word(shapes, "polygon") + " --view 8,-20 --shading " + word(shadings, "shading") +
-           " --perspective affine --material \"kd=0.6 ks=0.4 n=8\" --light point:-0.6,0.9,0.7";
+/// Before the camera below a unit is 5 pixels wide and 6 1/4 high, and the middle of the grid is
+/// 0,0: corners stand at quarters of a pixel, and no nearer to the grid's rim than that.
+Corners corners() {
+    return {"polygon",
+            {{{0.2, 1.12}, {-1.6, -0.76}, {1.5, -0.52}},
+             {{0.1, 1.12}, {-1.7, 0.2}, {-0.1, -1.12}, {1.6, -0.28}},
+             {{0.0, 1.12}, {-1.35, 0.36}, {-0.8, -0.92}, {0.8, -0.92}, {1.35, 0.36}},
+             {{0.0, 1.12},
+              {-0.35, 0.36},
+              {-1.35, 0.36},
+              {-0.55, -0.12},
+              {-0.8, -0.92},
+              {0.0, -0.44},
+              {0.8, -0.92},
+              {0.55, -0.12},
+              {1.35, 0.36},
+              {0.35, 0.36}}},
+            {-2.35, -1.24},
+            {2.35, 1.24},
+            {20.0, 25.0}};
 }
 
+/// A camera that stays where it is, at the polygon's side, so that depth varies across it.
+constexpr const char* camera =
+    " --projection orthographic --eye 3,0,4 --target 0,0,0 --lens 46.875";
+
+const Control& control_of_corners() {
+    static const Control control{"corners", "", corners(), Moved::by_pointing};
+    return control;
+}
+
+std::string arguments(const Settings& settings) {
+    return "polygon:" + text_of(control_of_corners(), settings) + camera + " --shading " +
+           shadings[static_cast<std::size_t>(settings.at("shading"))] +
+           " --perspective affine --material \"kd=0.6 ks=0.4 n=8\" --light point:-0.9,1,0.8";
+}
+
+/// Of the polygon, which crosses a scanline's centre at least.
 PolygonSteps steps_of(const Stage& stage) {
     auto traced = render::trace_polygons(stage.scene(), stage.options().settings, grid);
-    return apps::with_grey_as_one(std::move(traced.at(0)));
+    if (traced.empty() || traced.front().trace.edge_table.empty())
+        throw apps::UsageError("corners: such a polygon crosses the centre of no scanline");
+    return apps::with_grey_as_one(std::move(traced.front()));
 }
 
 // ---- the picture
@@ -97,6 +132,24 @@ void draw_outline(raster::Image8& large, const render::Scene& scene) {
     }
 }
 
+/// Right of a place and above it, and inside of the picture.
+void write_beside(raster::Image8& picture, int x, int y, const std::string& text) {
+    constexpr int height = 8;
+    apps::write_text(picture, std::min(x, picture.width() - apps::text_width(text)),
+                     std::max(0, y - height), text, ink);
+}
+
+/// Each corner as a square with its name, "P0" and so on.
+void draw_corners(raster::Image8& large, const PolygonSteps& steps, int cell) {
+    const int side = std::max(3, cell / 3);
+    for (std::size_t i = 0; i < steps.corners.size(); ++i) {
+        const int x = static_cast<int>(steps.corners[i].x * cell);
+        const int y = static_cast<int>(steps.corners[i].y * cell);
+        apps::fill_box(large, x - side / 2, y - side / 2, side, side, ink);
+        write_beside(large, x + side, y, "P" + std::to_string(i));
+    }
+}
+
 /// Where the active edges cross the scanline's centres, and the pixel that is stored.
 std::vector<Mark> marks_of(const Trace& trace, const WalkStep& step, int cell) {
     if (step.kind == WalkStep::Kind::edge) return {};
@@ -116,7 +169,9 @@ Panel panel_of_step(const Stage& stage, const PolygonSteps& steps,
     raster::Image8 large =
         enlarged(stage.picture(means), cell, stored_pixels(walk, step, steps.trace));
     draw_outline(large, stage.scene());
-    return {"grid", std::move(large), "scanlight steps " + stage.arguments() + " --size 24x16",
+    draw_corners(large, steps, cell);
+    return {"grid", std::move(large),
+            "scanlight steps " + stage.arguments() + " --size 24x16\n" + stage.command(),
             marks_of(steps.trace, walk[step], cell)};
 }
 
@@ -201,6 +256,9 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
                    edges_table("active-table", steps, active(steps.trace, walk[at])),
                    pixel_table(steps, walk[at])}};
     screen.walked = {std::move(steps), stage.picture(means)};
+    screen.handles = {
+        control_of_corners().name, 0,
+        picture_from_plane(stage.scene().camera, {grid.width * cell, grid.height * cell})};
     return screen;
 }
 
@@ -210,6 +268,7 @@ Lesson edge_table_lesson() {
     return {"edge-table",
             {{"step", "", Slider{0, most_steps, most_steps + 1, 60}, Moved::by_steps},
              {"polygon", "", Choice{{"triangle", "quad", "pentagon", "star"}, 1}},
+             control_of_corners(),
              {"shading", "", Choice{shadings}}},
             {{"raster/edge_table.h", "EdgeTable::build"},
              {"raster/scan_convert.h", "scan_convert"},

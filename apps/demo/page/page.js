@@ -216,6 +216,13 @@ function controls(lesson) {
   return lesson.controls.length ? box : "";
 }
 
+// What takes the engine at hand.
+function inWindow(lesson) {
+  if (!lesson.pointed.length) return "";
+  const names = lesson.pointed.map((name) => word(lesson.name, "control-" + name)).join(", ");
+  return element("p", { className: "in-window" }, pageWord("in-window", names, `scanlight-demo --window --lesson ${lesson.name}`));
+}
+
 // ---- numbers, plots, tables
 
 function numbers(lesson, screen) {
@@ -352,7 +359,7 @@ function drawLesson() {
   const main = document.getElementById("lesson");
   const notice = element("p", { className: "notice" }, element("strong", {}, pageWord("notice-head") + ": "), word(lesson.name, "notice"));
   main.replaceChildren(
-    element("h2", {}, word(lesson.name, "title")), element("p", {}, word(lesson.name, "intro")), controls(lesson),
+    element("h2", {}, word(lesson.name, "title")), element("p", {}, word(lesson.name, "intro")), controls(lesson), inWindow(lesson),
     element("div", { id: "screen" }), ...files(lesson), notice, question(lesson), formula(lesson), sources(lesson), turn());
   drawScreen();
 }

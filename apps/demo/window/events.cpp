@@ -164,6 +164,7 @@ struct After {
         });
     }
     WindowState operator()(const Key& key) { return after_key(std::move(state), key.letter); }
+    WindowState operator()(const Nudge&) { return std::move(state); }
     WindowState operator()(NamedKey) { return std::move(state); }
 };
 

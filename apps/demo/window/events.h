@@ -29,8 +29,12 @@ struct Wheel {
 struct Key {
     char letter = ' ';  // lower case, or '\t'
 };
+struct Nudge {  // the shift key with an arrow
+    int right = 0;
+    int up = 0;
+};
 enum class NamedKey { left, right, up, down, home, end, page_up, page_down, escape };
-using Event = std::variant<Press, Move, Release, Leave, Wheel, Key, NamedKey>;
+using Event = std::variant<Press, Move, Release, Leave, Wheel, Key, Nudge, NamedKey>;
 
 /// The cameras by which the two views were drawn.
 using Cameras = std::array<render::Camera, 2>;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/demo/window/corner_handles.h"
+
 namespace scanlight::apps::window {
 
 namespace {
@@ -38,10 +40,43 @@ LessonState pointed(LessonState state, Point at, const Box& picture) {
     return state;
 }
 
+// ---- what is dragged
+
+LessonDrag drag_from(const LessonState& state, const Press& press, const LessonSight& sight) {
+    if (press.button != Button::left) return {};
+    if (const auto corner = corner_at(state, press.at, sight)) {
+        const Point place = corner_places(state, sight)[*corner];
+        return MovingCorner{*corner, {place.x - press.at.x, place.y - press.at.y}};
+    }
+    const auto panel = picture_at(press.at, sight);
+    if (panel && takes_points(state.lesson())) return Pointing{*panel};
+    return {};
+}
+
+std::optional<std::size_t> corner_of(const LessonDrag& drag) {
+    const auto* moving = std::get_if<MovingCorner>(&drag);
+    return moving != nullptr ? std::optional(moving->corner) : std::nullopt;
+}
+
+LessonState dragged(LessonState state, std::monostate, Point, const LessonSight&) {
+    return state;
+}
+
+LessonState dragged(LessonState state, const Pointing& drag, Point to, const LessonSight& sight) {
+    if (drag.panel >= sight.pictures.size()) return state;
+    return pointed(std::move(state), to, sight.pictures[drag.panel]);
+}
+
+LessonState dragged(LessonState state, const MovingCorner& drag, Point to,
+                    const LessonSight& sight) {
+    return with_corner_at(std::move(state), drag.corner, {to.x + drag.grip.x, to.y + drag.grip.y},
+                          sight);
+}
+
 WindowState dragged(WindowState state, Point to, const LessonSight& sight) {
-    const auto held = state.lesson.held;
-    if (held && *held < sight.pictures.size())
-        state.lesson = pointed(std::move(state.lesson), to, sight.pictures[*held]);
+    const LessonDrag drag = state.lesson.drag;
+    state.lesson = std::visit(
+        [&](const auto& what) { return dragged(std::move(state.lesson), what, to, sight); }, drag);
     return state;
 }
 
@@ -52,9 +87,8 @@ struct After {
     const LessonSight& sight;
 
     WindowState operator()(const Press& press) {
-        if (press.button != Button::left || !takes_points(state.lesson.lesson()))
-            return std::move(state);
-        state.lesson.held = picture_at(press.at, sight);
+        state.lesson.drag = drag_from(state.lesson, press, sight);
+        state.lesson.corner = corner_of(state.lesson.drag);
         return dragged(std::move(state), press.at, sight);
     }
     WindowState operator()(const Move& move) {
@@ -62,7 +96,7 @@ struct After {
         return dragged(std::move(state), move.to, sight);
     }
     WindowState operator()(Release) {
-        state.lesson.held.reset();
+        state.lesson.drag = {};
         return std::move(state);
     }
     WindowState operator()(Leave) {
@@ -72,6 +106,13 @@ struct After {
     WindowState operator()(const Wheel&) { return std::move(state); }
     WindowState operator()(const Key& key) {
         if (key.letter == 'a') state.lesson = with_answer_turned(std::move(state.lesson));
+        if (key.letter == '\t')
+            state.lesson = with_next_corner(std::move(state.lesson), sight.screen);
+        return std::move(state);
+    }
+    WindowState operator()(const Nudge& nudge) {
+        state.lesson =
+            with_corner_nudged(std::move(state.lesson), nudge.right, nudge.up, sight.screen);
         return std::move(state);
     }
     WindowState operator()(NamedKey key) {
@@ -115,7 +156,8 @@ WindowState after_in_lesson(WindowState state, const Event& event, const LessonS
 }
 
 bool can_point_at(const LessonState& lesson, Point point, const LessonSight& sight) {
-    return takes_points(lesson.lesson()) && picture_at(point, sight).has_value();
+    return corner_at(lesson, point, sight) ||
+           (takes_points(lesson.lesson()) && picture_at(point, sight));
 }
 
 }  // namespace scanlight::apps::window

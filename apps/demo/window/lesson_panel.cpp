@@ -3,10 +3,12 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "apps/demo/settings.h"
 #include "apps/demo/window/control.h"
+#include "apps/demo/window/corner_handles.h"
 #include "apps/demo/window/course_list.h"
 #include "apps/demo/window/formula_draw.h"
 #include "apps/demo/window/gui.h"
@@ -94,9 +96,9 @@ LessonState draw_choice(LessonState lesson, const demo::Control& control) {
     return lesson;
 }
 
+/// A slider or a choice.
 LessonState draw_control(LessonState lesson, const demo::Control& control,
                          const demo::Screen& screen) {
-    draw_label(lesson, control);
     ImGui::SetNextItemWidth(-1.0f);
     return std::holds_alternative<demo::Slider>(control.kind)
                ? draw_slider(std::move(lesson), control, screen)
@@ -167,7 +169,8 @@ LessonPanel::Result LessonPanel::draw(WindowState state, const LessonSight& sigh
     ImGui::BeginChild("words", {0.0f, -message_height});
     if (state.lesson.place == place) {  // else what is seen is another lesson's
         LessonState& lesson = state.lesson;
-        draw_controls(lesson, sight.screen);
+        draw_controls(lesson, sight);
+        note_corners(lesson, sight);
         draw_numbers(lesson, sight.screen);
         draw_heading(word(lesson, "title"));
         draw_text(word(lesson, "intro"));
@@ -208,14 +211,40 @@ Wish LessonPanel::draw_ways(WindowState& state) {
     return is_saved ? Wish::save_picture : Wish::nothing;
 }
 
-void LessonPanel::draw_controls(LessonState& lesson, const demo::Screen& screen) {
+void LessonPanel::draw_controls(LessonState& lesson, const LessonSight& sight) {
     for (const demo::Control& control : lesson.lesson().controls) {
-        lesson = draw_control(std::move(lesson), control, screen);
+        draw_label(lesson, control);
+        if (std::holds_alternative<demo::Corners>(control.kind)) {
+            draw_corners(lesson, control);
+            continue;
+        }
+        lesson = draw_control(std::move(lesson), control, sight.screen);
         places_[control.name] = place_of_item();
-        if (control.moved == demo::Moved::by_steps) draw_steps(lesson, screen);
+        if (control.moved == demo::Moved::by_steps) draw_steps(lesson, sight.screen);
     }
     draw_hint(lesson);
     ImGui::Spacing();
+}
+
+/// They are dragged in the picture; here they are told, and put back.
+void LessonPanel::draw_corners(LessonState& lesson, const demo::Control& control) {
+    ImGui::PushFont(small_font());
+    draw_text(demo::text_of(control, lesson.settings));
+    ImGui::PopFont();
+    ImGui::BeginDisabled(!lesson.settings.corners.contains(control.name));
+    if (draw_button("put back", page_word(lesson, "put-back")))
+        lesson = with_corners_back(std::move(lesson), control);
+    ImGui::EndDisabled();
+    draw_quiet(page_word(lesson, "drag-corners"));
+}
+
+void LessonPanel::note_corners(const LessonState& lesson, const LessonSight& sight) {
+    const auto corners = corner_places(lesson, sight);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const auto x = static_cast<int>(std::lround(corners[i].x));
+        const auto y = static_cast<int>(std::lround(corners[i].y));
+        places_["corner " + std::to_string(i)] = {x, y, 1, 1};
+    }
 }
 
 /// Six buttons in two rows.
@@ -245,7 +274,7 @@ void LessonPanel::draw_question(LessonState& lesson) {
 /// The screen's own, and those of its pictures.
 std::string LessonPanel::draw_commands(const LessonState& lesson, const LessonSight& sight) {
     draw_heading(page_word(lesson, "command-head"));
-    std::vector<std::string> commands{command_of(lesson, sight.panel)};
+    std::vector<std::string> commands{command_of(as_shown(lesson, sight.screen), sight.panel)};
     for (const demo::Panel& panel : sight.screen.panels)
         commands.push_back(panel.command);
     std::string to_copy;

@@ -21,12 +21,15 @@ public:
     Result draw(WindowState state, const LessonSight& sight, const std::string& message, int x,
                 int height);
 
-    /// Where each control of the last frame stood in the window, by its name.
+    /// Where each control of the last frame stood in the window, by its name; corners in the
+    /// picture as "corner 0" and so on.
     const std::map<std::string, Box>& places() const { return places_; }
 
 private:
     Wish draw_ways(WindowState& state);
-    void draw_controls(LessonState& lesson, const demo::Screen& screen);
+    void draw_controls(LessonState& lesson, const LessonSight& sight);
+    void draw_corners(LessonState& lesson, const demo::Control& control);
+    void note_corners(const LessonState& lesson, const LessonSight& sight);
     void draw_steps(LessonState& lesson, const demo::Screen& screen);
     void draw_question(LessonState& lesson);
     std::string draw_commands(const LessonState& lesson, const LessonSight& sight);

@@ -124,7 +124,13 @@ LessonState with_answer_turned(LessonState state) {
 }
 
 LessonState with_control(LessonState state, const demo::Control& control, double value) {
-    state.settings[control.name] = demo::held(control, value);
+    state.settings =
+        demo::with_value(std::move(state.settings), demo::lessons()[state.place], control, value);
+    return state;
+}
+
+LessonState with_corners_back(LessonState state, const demo::Control& control) {
+    state.settings.corners.erase(control.name);
     return state;
 }
 
@@ -151,14 +157,18 @@ double last_value(const demo::Control& control, const demo::Screen& shown) {
     return demo::stops_of(control).back();
 }
 
+LessonState as_shown(LessonState state, const demo::Screen& shown) {
+    const demo::Control& control = state.lesson().controls.front();
+    if (!goes_by_steps(control, shown)) return state;
+    double& step = state.settings[control.name];
+    step = std::min(step, last_value(control, shown));
+    return state;
+}
+
 std::string command_of(const LessonState& state) {
     std::string command = "scanlight-demo --lesson " + state.lesson().name;
-    const demo::Settings start = demo::starting_settings(state.lesson());
-    for (const demo::Control& control : state.lesson().controls) {
-        const double value = state.settings.at(control.name);
-        if (value != start.at(control.name))
-            command += " --set " + control.name + "=" + demo::value_text(control, value);
-    }
+    for (const std::string& assignment : demo::assignments_of(state.lesson(), state.settings))
+        command += " --set " + assignment;
     return command;
 }
 

@@ -8,6 +8,7 @@
 #include "apps/demo/settings.h"
 #include "apps/demo/window/code_draw.h"
 #include "apps/demo/window/control.h"
+#include "apps/demo/window/corner_handles.h"
 #include "apps/demo/window/gui.h"
 #include "apps/demo/window/plot_draw.h"
 #include "raster/packed_image.h"
@@ -23,7 +24,7 @@ std::string name_of(const LessonState& state, raster::Viewport canvas) {
     std::string name = state.lesson().name + " " + std::to_string(canvas.width) + "x" +
                        std::to_string(canvas.height);
     for (const demo::Control& control : state.lesson().controls)
-        name += " " + demo::value_text(control, state.settings.at(control.name));
+        name += " " + demo::text_of(control, state.settings);
     return name;
 }
 
@@ -120,6 +121,15 @@ void draw_tables(const demo::Screen& screen, const LessonState& state, const Box
     ImGui::PopStyleVar(2);
 }
 
+/// Round the corner that keys move.
+void draw_ring(Point at) {
+    constexpr float radius = 9.0f;
+    const ImVec2 middle(static_cast<float>(at.x), static_cast<float>(at.y));
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddCircle(middle, radius, IM_COL32(255, 255, 255, 255), 24, 4.0f);
+    list.AddCircle(middle, radius, IM_COL32(184, 72, 10, 255), 24, 2.0f);
+}
+
 }  // namespace
 
 void LessonView::paint(const LessonState& state, raster::Viewport canvas) {
@@ -155,6 +165,8 @@ void LessonView::draw_words(const LessonState& state) const {
                      layout_.plots[i]);
         draw_plot(screen_.plots[i], lesson, state.language, layout_.plots[i]);
     }
+    const auto corners = corner_places(state, sight());
+    if (state.corner && *state.corner < corners.size()) draw_ring(corners[*state.corner]);
     draw_tables(screen_, state, layout_.tables);
     if (const auto step = step_shown(state, screen_))
         draw_code(demo::code_at_work(step->kind),

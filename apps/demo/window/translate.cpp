@@ -49,9 +49,26 @@ std::optional<NamedKey> named(SDL_Keycode code) {
     return std::nullopt;
 }
 
+std::optional<Nudge> nudge_of(SDL_Keycode code) {
+    switch (code) {
+        case SDLK_LEFT:
+            return Nudge{-1, 0};
+        case SDLK_RIGHT:
+            return Nudge{1, 0};
+        case SDLK_UP:
+            return Nudge{0, 1};
+        case SDLK_DOWN:
+            return Nudge{0, -1};
+        default:
+            return std::nullopt;
+    }
+}
+
 std::optional<Event> typed(const SDL_KeyboardEvent& key) {
     const SDL_Keycode code = key.keysym.sym;
     if ((key.keysym.mod & (KMOD_CTRL | KMOD_ALT | KMOD_GUI)) != 0) return std::nullopt;
+    const bool is_shifted = (key.keysym.mod & KMOD_SHIFT) != 0;
+    if (const auto nudge = nudge_of(code); nudge && is_shifted) return *nudge;
     if (const auto name = named(code)) return *name;
     if (key.repeat != 0) return std::nullopt;  // letters switch: held too long, by chance
     if (code == SDLK_TAB) return Key{'\t'};
