@@ -224,6 +224,11 @@ TEST(PhongTerms, FourTimesTheExponentMatches) {
     EXPECT_NEAR(term("n-h-matched"), term("r-v"), 0.1);
 }
 
+TEST(PhongTerms, AreToldOfAPixelThatShowsTheTeapot) {
+    for (const raster::Viewport size : {raster::Viewport{300, 60}, {60, 240}, {320, 240}})
+        EXPECT_GT(number_of(drawn("phong-terms", {}, size), "n-l"), 0.1) << size.width;
+}
+
 TEST(CookTorrance, MetalsMirrorInTheirColour) {
     const Screen copper = drawn("cook-torrance", {"metal=copper"});
     EXPECT_GT(number_of(copper, "f-red"), number_of(copper, "f-blue") + 0.2);
