@@ -36,8 +36,13 @@ async function opened(width, scheme, hash) {
   return tab;
 }
 
-const shown = (tab) =>
-  tab.$eval("#lesson", (main) => [...main.querySelectorAll("img")].map((image) => image.src.length + image.src.slice(-60)).join() + main.innerText + [...main.querySelectorAll("svg")].map((svg) => svg.outerHTML).join());
+const drawn = (tab) => tab.waitForSelector("#screen .picture");
+
+// What the controls change; they themselves stand outside it.
+async function shown(tab) {
+  await drawn(tab);
+  return tab.$eval("#screen", (screen) => [...screen.querySelectorAll("img")].map((image) => image.src.length + image.src.slice(-60)).join() + screen.innerText + [...screen.querySelectorAll("svg")].map((svg) => svg.outerHTML).join());
+}
 
 async function accessible(tab, where) {
   await tab.evaluate(axe);
@@ -137,7 +142,7 @@ for (const lesson of lessons) await useLesson(desk, lesson);
 for (const [language, scheme] of [["en", "light"], ["zh", "dark"]]) {
   for (const lesson of lessons) {
     const tab = await opened(1280, scheme, `#${lesson}&language=${language}`);
-    await tab.waitForSelector("#screen > *");
+    await drawn(tab);
     await accessible(tab, `${lesson}, ${language}, ${scheme}`);
     if (scheme === "dark") await tab.screenshot({ path: `${screenshots}/${lesson}-zh-dark.png`, fullPage: true });
     await tab.close();
@@ -166,7 +171,7 @@ for (const shading of ["gouraud", "phong"]) {
 const phone = await opened(375, "light", "");
 for (const lesson of lessons) {
   await phone.goto(url + "#" + lesson);
-  await phone.waitForSelector("#screen > *");
+  await drawn(phone);
   const width = await phone.evaluate(() => document.documentElement.scrollWidth);
   expect(width <= 375, `${lesson}: fits a phone (${width} px)`);
   const current = await phone.$eval("#contents a[aria-current]", (link) => link.getBoundingClientRect().toJSON());
