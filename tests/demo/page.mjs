@@ -118,6 +118,9 @@ async function useStepper(tab) {
   expect(pixels > 20, "edge-table: at the end all pixels are stored");
 }
 
+const plotsAreLabelled = (tab) =>
+  tab.$$eval(".plots figure", (all) => all.every((figure) => figure.querySelector("svg").getAttribute("aria-label") === figure.querySelector("figcaption").textContent));
+
 async function useLesson(tab, lesson) {
   await tab.click(`#contents a[href="#${lesson}"]`);
   await tab.waitForFunction((name) => location.hash.startsWith("#" + name), {}, lesson);
@@ -128,10 +131,30 @@ async function useLesson(tab, lesson) {
   expect((await tab.$$(".formula + p")).length === 1, `${lesson}: tells its letters`);
   expect(await tab.$eval("details:not(.answer) pre", (pre) => pre.textContent.startsWith("scanlight ")), `${lesson}: has its command`);
   await useControls(tab, lesson);
+  expect(await plotsAreLabelled(tab), `${lesson}: each plot's label is its caption`);
   await useWipe(tab, lesson);
   await tab.click(".answer summary");
   expect(await tab.$eval(".answer", (details) => details.open), `${lesson}: the answer opens`);
   await tab.screenshot({ path: `${screenshots}/${lesson}.png`, fullPage: true });
+}
+
+// Whatever stands in a word, it is no markup.
+async function tellAnyWord() {
+  const tab = await opened(1280, "light", "");
+  await tab.evaluate(() => {
+    for (const { en } of Object.values(course.texts))
+      for (const key of Object.keys(en)) en[key] = `<b a='"'>&lt; ${key}`;
+  });
+  for (const [i, lesson] of lessons.entries()) {
+    await tab.evaluate((number) => {
+      state.lesson = number;
+      draw();
+    }, i);
+    await drawn(tab);
+    expect((await tab.$$("b")).length === 0, `${lesson}: no word is markup`);
+    expect(await plotsAreLabelled(tab), `${lesson}: any word labels a plot`);
+  }
+  await tab.close();
 }
 
 const desk = await opened(1280, "light", "");
@@ -157,6 +180,8 @@ for (const [hash, step] of [["#edge-table&step=-5", "0"], ["#edge-table&step=999
   expect(said.startsWith(`Step ${step} of 137. `), `${hash}: at a step (${said})`);
   await tab.close();
 }
+
+for (const use of [tellAnyWord]) await use();
 
 const cut = (tab) => tab.$$eval(".scroll", (all) => all.some((box) => box.scrollWidth > box.clientWidth));
 for (const shading of ["gouraud", "phong"]) {

@@ -228,13 +228,20 @@ function numbers(lesson, screen) {
   return element("section", {}, element("h3", {}, pageWord("numbers-head")), element("table", { className: "numbers" }, body));
 }
 
+// Words go into the drawing as words, whatever stands in them.
+function plotPicture(lesson, svg) {
+  const template = element("template");
+  template.innerHTML = svg;
+  const made = template.content.firstElementChild;
+  made.setAttribute("aria-label", filled(lesson.name, made.getAttribute("aria-label")));
+  for (const text of made.querySelectorAll("text")) text.textContent = filled(lesson.name, text.textContent);
+  return made;
+}
+
 function plots(lesson, screen) {
   const box = element("div", { className: "plots" });
-  for (const { key, svg } of screen.plots) {
-    const figure = element("figure", {}, element("figcaption", {}, word(lesson.name, key)));
-    figure.insertAdjacentHTML("beforeend", filled(lesson.name, svg));
-    box.append(figure);
-  }
+  for (const { key, svg } of screen.plots)
+    box.append(element("figure", {}, element("figcaption", {}, word(lesson.name, key)), plotPicture(lesson, svg)));
   return screen.plots.length ? box : "";
 }
 
