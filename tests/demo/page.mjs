@@ -74,9 +74,17 @@ async function useControls(tab, lesson) {
   }
 }
 
+// Marks lie over the whole of a picture's place.
+const picturesFill = (tab) =>
+  tab.$$eval("#screen .picture", (all) => all.every((place) => {
+    const [a, b] = [place, place.querySelector("img")].map((part) => part.getBoundingClientRect());
+    return Math.abs(a.width - b.width) < 1 && Math.abs(a.height - b.height) < 1;
+  }));
+
 async function useWipe(tab, lesson) {
   if (!(await tab.$('[data-view="wipe"]'))) return;
   await tab.click('[data-view="wipe"]');
+  expect(await picturesFill(tab), `${lesson}: each picture of the wipe is as large as its marks' place`);
   const cut = () => tab.$eval(".over", (over) => over.style.clipPath);
   const before = await cut();
   await tab.focus("#wipe");
@@ -84,6 +92,7 @@ async function useWipe(tab, lesson) {
   expect((await cut()) !== before, `${lesson}: the wipe moves`);
   await tab.click('[data-view="side-by-side"]');
   expect((await tab.$$(".panels figure")).length > 1, `${lesson}: side by side again`);
+  expect(await picturesFill(tab), `${lesson}: each picture is as large as its marks' place`);
 }
 
 // Forwards and back again is where it began, by keys and by buttons.
@@ -138,6 +147,20 @@ async function useLesson(tab, lesson) {
   await tab.screenshot({ path: `${screenshots}/${lesson}.png`, fullPage: true });
 }
 
+// Where there are fewer pictures than before, the lists name the two that are shown.
+async function wipeFewer() {
+  const tab = await opened(1280, "light", "#mappings&surface=bump");
+  await tab.click('[data-view="wipe"]');
+  await tab.select("#wipe-0", "3");
+  await tab.select("#control-surface", await tab.$$eval("#control-surface option", (all) => all.find(({ text }) => text.startsWith("wood")).value));
+  for (const [list, picture] of [["#wipe-0", ".over img"], ["#wipe-1", ".wiped > .picture img"]]) {
+    const named = await tab.$eval(list, (select) => select.selectedOptions[0].text);
+    const alt = await tab.$eval(picture, (image) => image.alt);
+    expect(alt.startsWith(named + ". "), `mappings: the list says ${named}, the picture ${alt}`);
+  }
+  await tab.close();
+}
+
 // Whatever stands in a word, it is no markup.
 async function tellAnyWord() {
   const tab = await opened(1280, "light", "");
@@ -181,7 +204,7 @@ for (const [hash, step] of [["#edge-table&step=-5", "0"], ["#edge-table&step=999
   await tab.close();
 }
 
-for (const use of [tellAnyWord]) await use();
+for (const use of [wipeFewer, tellAnyWord]) await use();
 
 const cut = (tab) => tab.$$eval(".scroll", (all) => all.some((box) => box.scrollWidth > box.clientWidth));
 for (const shading of ["gouraud", "phong"]) {
@@ -194,11 +217,20 @@ for (const shading of ["gouraud", "phong"]) {
 }
 
 const phone = await opened(375, "light", "");
-for (const lesson of lessons) {
-  await phone.goto(url + "#" + lesson);
+async function fitsPhone(what) {
   await drawn(phone);
   const width = await phone.evaluate(() => document.documentElement.scrollWidth);
-  expect(width <= 375, `${lesson}: fits a phone (${width} px)`);
+  expect(width <= 375, `${what}: fits a phone (${width} px)`);
+}
+for (const lesson of lessons) {
+  await phone.goto(url + "#" + lesson);
+  await phone.waitForFunction((name) => document.querySelector("#contents a[aria-current]").hash === "#" + name, {}, lesson);
+  if (await phone.$('[data-view="wipe"]')) {
+    await phone.click('[data-view="wipe"]');
+    await fitsPhone(`${lesson}, wipe`);
+    await phone.click('[data-view="side-by-side"]');
+  }
+  await fitsPhone(lesson);
   const current = await phone.$eval("#contents a[aria-current]", (link) => link.getBoundingClientRect().toJSON());
   expect(current.left >= 0 && current.left < 375, `${lesson}: is seen in the list of a phone`);
   await phone.screenshot({ path: `${screenshots}/${lesson}-phone.png`, fullPage: true });

@@ -2,7 +2,7 @@
 // The course: one lesson at a time, drawn from the data that the renderer wrote into this file.
 
 const course = JSON.parse(document.getElementById("data").textContent);
-const state = { language: document.documentElement.lang, lesson: 0, at: {}, view: "side-by-side", wipe: [0, 1, 50], step: 60 };
+const state = { language: document.documentElement.lang, lesson: 0, at: {}, view: "side-by-side", wipe: [0, 1], divider: 50, step: 60 };
 
 function element(name, properties = {}, ...children) {
   const made = document.createElement(name);
@@ -134,13 +134,14 @@ function sideBySide(lesson, screen) {
 }
 
 function wiped(lesson, screen) {
-  const [left, right] = state.wipe.map((i) => screen.panels[Math.min(i, screen.panels.length - 1)]);
+  state.wipe = state.wipe.map((i) => Math.min(i, screen.panels.length - 1));
+  const [left, right] = state.wipe.map((i) => screen.panels[i]);
   const over = element("div", { className: "over" }, picture(lesson, left));
-  const place = () => (over.style.clipPath = `inset(0 ${100 - state.wipe[2]}% 0 0)`);
+  const place = () => (over.style.clipPath = `inset(0 ${100 - state.divider}% 0 0)`);
   place();
-  const range = element("input", { type: "range", min: 0, max: 100, value: state.wipe[2], id: "wipe", "aria-label": pageWord("wipe-slider") });
+  const range = element("input", { type: "range", min: 0, max: 100, value: state.divider, id: "wipe", "aria-label": pageWord("wipe-slider") });
   range.addEventListener("input", () => {
-    state.wipe[2] = Number(range.value);
+    state.divider = Number(range.value);
     place();
   });
   const stack = element("div", { className: "wiped" }, picture(lesson, right), over);
@@ -394,7 +395,7 @@ document.getElementById("skip").addEventListener("click", (event) => {
   document.getElementById("lesson").focus();
 });
 addEventListener("hashchange", () => {
-  state.wipe = [0, 1, 50];
+  Object.assign(state, { wipe: [0, 1], divider: 50 });
   recall();
   draw();
   document.getElementById("lesson").focus({ preventScroll: true });
