@@ -44,6 +44,10 @@ async function shown(tab) {
   return tab.$eval("#screen", (screen) => [...screen.querySelectorAll("img")].map((image) => image.src.length + image.src.slice(-60)).join() + screen.innerText + [...screen.querySelectorAll("svg")].map((svg) => svg.outerHTML).join());
 }
 
+// Once there has been a pause.
+const addressHas = (tab, part) =>
+  tab.waitForFunction((text) => location.hash.includes(text), { timeout: 5000 }, part).then(() => true, () => false);
+
 async function accessible(tab, where) {
   await tab.evaluate(axe);
   const { violations } = await tab.evaluate(() => axe.run(document, { runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"] }));
@@ -147,6 +151,29 @@ async function useLesson(tab, lesson) {
   await tab.screenshot({ path: `${screenshots}/${lesson}.png`, fullPage: true });
 }
 
+// A polygon of fewer steps holds the step, in the address too.
+async function holdStep() {
+  const tab = await opened(1280, "light", "#edge-table&polygon=quad&step=137");
+  await drawn(tab);
+  await tab.goto(url + "#edge-table&polygon=star");
+  await tab.waitForFunction(() => document.querySelector(".stepper input")?.max < 137);
+  const last = await tab.$eval(".stepper input", (range) => range.max);
+  expect(await addressHas(tab, `polygon=star&shading=gouraud&step=${last}&`), "edge-table: the address tells the step that is shown");
+  await tab.close();
+}
+
+// Keys with Alt, Ctrl or Meta are the browser's.
+async function leaveKeys() {
+  const tab = await opened(1280, "light", "#edge-table");
+  await drawn(tab);
+  for (const [held, taken] of [["altKey", false], ["ctrlKey", false], ["metaKey", false], ["shiftKey", true]]) {
+    const how = { key: "ArrowLeft", bubbles: true, cancelable: true, [held]: true };
+    const isTaken = await tab.$eval(".stepper .picture", (picture, event) => !picture.dispatchEvent(new KeyboardEvent("keydown", event)), how);
+    expect(isTaken === taken, `edge-table: ArrowLeft with ${held} is ${taken ? "" : "not "}taken`);
+  }
+  await tab.close();
+}
+
 // Where there are fewer pictures than before, the lists name the two that are shown.
 async function wipeFewer() {
   const tab = await opened(1280, "light", "#mappings&surface=bump");
@@ -201,10 +228,11 @@ for (const [hash, step] of [["#edge-table&step=-5", "0"], ["#edge-table&step=999
   await tab.waitForSelector(".stepper");
   const said = await tab.$eval(".stepper input", (range) => range.getAttribute("aria-valuetext"));
   expect(said.startsWith(`Step ${step} of 137. `), `${hash}: at a step (${said})`);
+  expect(await addressHas(tab, `step=${step}&`), `${hash}: the address tells that step`);
   await tab.close();
 }
 
-for (const use of [wipeFewer, tellAnyWord]) await use();
+for (const use of [holdStep, leaveKeys, wipeFewer, tellAnyWord]) await use();
 
 const cut = (tab) => tab.$$eval(".scroll", (all) => all.some((box) => box.scrollWidth > box.clientWidth));
 for (const shading of ["gouraud", "phong"]) {

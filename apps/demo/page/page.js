@@ -288,11 +288,11 @@ function stepper(lesson, screen) {
   const image = new Image();
   image.onload = () => {
     const said = { say: pageWord, table: (key, ...rest) => table(pageWord(key), ...rest), code };
-    const made = new Stepper(screen.steps, image, said, state.step, (step) => {
+    const made = new Stepper(screen.steps, image, said, (step) => {
       state.step = step;
       remember();
     });
-    holder.replaceChildren(made.build());
+    holder.replaceChildren(made.build(state.step));
   };
   image.src = course.pictures[screen.steps.picture];
   return holder;
