@@ -174,6 +174,41 @@ async function leaveKeys() {
   await tab.close();
 }
 
+// Safari refuses an address that is written often.
+async function writeAddressSeldom() {
+  const tab = await opened(1280, "light", "#mach-bands");
+  await addressHas(tab, "cut=");
+  const written = await tab.evaluate(async () => {
+    let count = 0;
+    const write = history.replaceState.bind(history);
+    history.replaceState = (...all) => (++count, write(...all));
+    const range = document.querySelector("#control-cut");
+    for (let i = 0; i < 200; ++i) {
+      range.value = i % 9;
+      range.dispatchEvent(new Event("input"));
+    }
+    await new Promise((resolve) => setTimeout(resolve, 1000));
+    return count;
+  });
+  expect(written === 1, `200 moves write the address once (${written})`);
+  await tab.close();
+}
+
+async function goBack() {
+  const tab = await opened(1280, "light", "#mach-bands&language=en");
+  await addressHas(tab, "cut=");
+  await tab.focus("#control-cut");
+  await tab.keyboard.press("End");
+  await tab.click('#contents a[href="#silhouette"]');
+  await tab.waitForSelector("#control-slices[max='7']");
+  await tab.click("#language");
+  await tab.goBack();
+  await tab.waitForSelector("#control-cut");
+  expect((await tab.$eval("html", (html) => html.lang)) === "zh-Hans", "going back keeps the language");
+  expect((await tab.$eval("#control-cut", (range) => range.value)) === "8", "going back finds the control where it was left");
+  await tab.close();
+}
+
 // Where there are fewer pictures than before, the lists name the two that are shown.
 async function wipeFewer() {
   const tab = await opened(1280, "light", "#mappings&surface=bump");
@@ -232,7 +267,7 @@ for (const [hash, step] of [["#edge-table&step=-5", "0"], ["#edge-table&step=999
   await tab.close();
 }
 
-for (const use of [holdStep, leaveKeys, wipeFewer, tellAnyWord]) await use();
+for (const use of [holdStep, leaveKeys, writeAddressSeldom, goBack, wipeFewer, tellAnyWord]) await use();
 
 const cut = (tab) => tab.$$eval(".scroll", (all) => all.some((box) => box.scrollWidth > box.clientWidth));
 for (const shading of ["gouraud", "phong"]) {

@@ -58,37 +58,56 @@ function screenOf(lesson) {
 }
 
 // A link to what is seen now.
-function remember() {
+function addressNow() {
   const lesson = lessonNow();
   const parts = [lesson.name];
   lesson.controls.forEach((control, i) => parts.push(`${control.name}=${control.stops[positions(lesson)[i]]}`));
   if (screenOf(lesson).steps) parts.push(`step=${state.step}`);
   parts.push(`language=${state.language}`);
-  history.replaceState(null, "", "#" + parts.join("&"));
+  return "#" + parts.join("&");
 }
 
-// An address that was mangled on its way tells nothing.
-function addressParts() {
+let addressPause;
+
+function writeAddress() {
+  clearTimeout(addressPause);
+  history.replaceState(null, "", addressNow());
+}
+
+// After a pause: browsers refuse an address that is written at each step of a held key.
+function remember() {
+  clearTimeout(addressPause);
+  addressPause = setTimeout(writeAddress, 300);
+}
+
+// The lesson's name, and the values after it by their keys. An address that was mangled on its way
+// tells nothing.
+function addressed() {
   try {
-    return decodeURIComponent(location.hash.slice(1)).split("&");
+    const [name, ...rest] = decodeURIComponent(location.hash.slice(1)).split("&");
+    return [name, new Map(rest.map((part) => part.split("=")))];
   } catch {
-    return [""];
+    return ["", new Map()];
   }
 }
 
+function recallLanguage() {
+  const language = addressed()[1].get("language");
+  if (["en", "zh"].includes(language)) state.language = language;
+}
+
 function recall() {
-  const [name, ...rest] = addressParts();
+  const [name, values] = addressed();
   const found = course.lessons.findIndex((lesson) => lesson.name === name);
   if (found < 0) return;
   state.lesson = found;
   const lesson = lessonNow();
-  for (const part of rest) {
-    const [key, value] = part.split("=");
-    if (key === "language" && ["en", "zh"].includes(value)) state.language = value;
-    if (key === "step" && value && Number.isInteger(Number(value))) state.step = Math.max(0, Number(value));
-    const i = lesson.controls.findIndex((control) => control.name === key);
-    if (i >= 0 && lesson.controls[i].stops.includes(value)) positions(lesson)[i] = lesson.controls[i].stops.indexOf(value);
-  }
+  const step = values.get("step");
+  if (step && Number.isInteger(Number(step))) state.step = Number(step);
+  lesson.controls.forEach(({ name: key, stops }, i) => {
+    const stop = stops.indexOf(values.get(key));
+    if (stop >= 0) positions(lesson)[i] = stop;
+  });
 }
 
 // ---- pictures
@@ -394,6 +413,8 @@ document.getElementById("skip").addEventListener("click", (event) => {
   event.preventDefault();
   document.getElementById("lesson").focus();
 });
+// Before a link leads away: what was seen last is to be found by going back.
+document.addEventListener("click", (event) => event.target.closest("a") && writeAddress());
 addEventListener("hashchange", () => {
   Object.assign(state, { wipe: [0, 1], divider: 50 });
   recall();
@@ -401,5 +422,6 @@ addEventListener("hashchange", () => {
   document.getElementById("lesson").focus({ preventScroll: true });
   scrollTo(0, 0);
 });
+recallLanguage();
 recall();
 draw();
