@@ -209,6 +209,19 @@ async function goBack() {
   await tab.close();
 }
 
+async function keepCommandOpen() {
+  const tab = await opened(1280, "light", "#lost-highlight");
+  const told = () => tab.$$eval("#screen details", (all) => all.map((details) => details.open && details.querySelector("pre").textContent));
+  await tab.click(".panels figure:nth-of-type(2) summary");
+  const before = await told();
+  await tab.focus("#control-level");
+  await tab.keyboard.press("End");
+  const after = await told();
+  expect(after[1] && after[1] !== before[1], "lost-highlight: an opened command follows the control");
+  expect(after.filter(Boolean).length === 1, "lost-highlight: no other command opens");
+  await tab.close();
+}
+
 // Where there are fewer pictures than before, the lists name the two that are shown.
 async function wipeFewer() {
   const tab = await opened(1280, "light", "#mappings&surface=bump");
@@ -267,7 +280,7 @@ for (const [hash, step] of [["#edge-table&step=-5", "0"], ["#edge-table&step=999
   await tab.close();
 }
 
-for (const use of [holdStep, leaveKeys, writeAddressSeldom, goBack, wipeFewer, tellAnyWord]) await use();
+for (const use of [holdStep, leaveKeys, writeAddressSeldom, goBack, keepCommandOpen, wipeFewer, tellAnyWord]) await use();
 
 const cut = (tab) => tab.$$eval(".scroll", (all) => all.some((box) => box.scrollWidth > box.clientWidth));
 for (const shading of ["gouraud", "phong"]) {

@@ -283,7 +283,7 @@ function tables(lesson, screen) {
 }
 
 function command(panel, head = "command-head") {
-  return element("details", {}, element("summary", {}, pageWord(head)), element("pre", {}, panel.command));
+  return element("details", { data: { panel: panel.key } }, element("summary", {}, pageWord(head)), element("pre", {}, panel.command));
 }
 
 // What the commands read, for whoever has this page alone.
@@ -325,9 +325,17 @@ function screenParts(lesson, screen) {
   return [viewButtons(screen), pictures, numbers(lesson, screen), plots(lesson, screen), ...tables(lesson, screen)];
 }
 
+function openPanels(screen) {
+  return [...screen.querySelectorAll("details[open]")].map((details) => details.dataset.panel);
+}
+
+// Commands that were opened stay open.
 function drawScreen(focused) {
   const lesson = lessonNow();
-  document.getElementById("screen").replaceChildren(...screenParts(lesson, screenOf(lesson)));
+  const screen = document.getElementById("screen");
+  const open = openPanels(screen);
+  screen.replaceChildren(...screenParts(lesson, screenOf(lesson)));
+  for (const details of screen.querySelectorAll("details")) details.open = open.includes(details.dataset.panel);
   if (focused) document.getElementById(focused).focus();
   remember();
 }
