@@ -13,11 +13,11 @@ struct Directions {
 
 /// What a pixel shows.
 struct PickedPoint {
-    shading::Vec3<double> point;  // world space
+    Pixel pixel;
     Directions directions;
 };
 
-/// At a pixel that shows a surface.
-PickedPoint picked_point(const Stage& stage, const Pixel& pixel);
+/// At the pixel nearest to `wanted` that shows a surface; where none does, at `wanted`, with N 0.
+PickedPoint picked_point(const Stage& stage, const Pixel& wanted);
 
 }  // namespace scanlight::demo

@@ -2,14 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
-#include <new>
 #include <string>
 #include <vector>
 
 #include "apps/demo/lesson.h"
 #include "apps/demo/page.h"
+#include "apps/demo/parse_and_act.h"
 #include "apps/demo/report.h"
 #include "apps/demo/settings.h"
 #include "apps/demo/texts.h"
@@ -25,9 +24,6 @@
 namespace scanlight::demo {
 
 namespace {
-
-constexpr int exit_ok = 0;
-constexpr int exit_error = 2;
 
 struct Options {
     bool list = false;
@@ -150,38 +146,12 @@ void add_options(CLI::App& program, Options& options) {
         "  scanlight-demo --export course");
 }
 
-int report(const std::string& message) {
-    std::fprintf(stderr, "scanlight-demo: %s\n", message.c_str());
-    return exit_error;
-}
-
 /// What the options ask for; without any, the help.
 void act(const CLI::App& program, const Options& options) {
     apps::check(options.means);
     if (!options.folder.empty()) return export_course(options);
     if (!options.lesson.empty()) return save_lesson(options);
     apps::print_data(options.list ? list_text(parse_language(options.language)) : program.help());
-}
-
-int parse_and_act(CLI::App& program, const Options& options, int argc, const char* const* argv) {
-    try {
-        program.parse(argc, argv);
-        act(program, options);
-    } catch (const CLI::Success& wanted) {  // --help, --version
-        return program.exit(wanted);
-    } catch (const CLI::ParseError& error) {
-        return report(std::string(error.what()) + "; see scanlight-demo --help");
-    } catch (const std::bad_alloc&) {
-        return report("out of memory");
-    } catch (const std::exception& error) {
-        return report(error.what());
-    }
-    return exit_ok;
-}
-
-/// Whether all that was printed has arrived: a full disk or a closed pipe is an error too.
-bool standard_output_took_all() {
-    return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
 }
 
 }  // namespace
@@ -191,9 +161,10 @@ int run(int argc, const char* const* argv) {
                      "scanlight-demo");
     Options options;
     add_options(program, options);
-    const int status = parse_and_act(program, options, argc, argv);
-    if (status == exit_error || standard_output_took_all()) return status;
-    return report("standard output: cannot be written");
+    return parse_and_act(program, argc, argv, [&] {
+        act(program, options);
+        return exit_ok;
+    });
 }
 
 }  // namespace scanlight::demo

@@ -104,9 +104,9 @@ Settings starting_settings(const Lesson& lesson) {
 std::vector<double> stops_of(const Control& control) {
     std::vector<double> stops;
     if (const auto* slider = std::get_if<Slider>(&control.kind)) {
+        const double step = (slider->high - slider->low) / std::max(1, slider->stops - 1);
         for (int i = 0; i < slider->stops; ++i)
-            stops.push_back(slider->low +
-                            (slider->high - slider->low) * i / std::max(1, slider->stops - 1));
+            stops.push_back(held(control, slider->low + step * i));
         return stops;
     }
     const auto* choice = std::get_if<Choice>(&control.kind);

@@ -61,22 +61,40 @@ TEST_P(EachLesson, DrawsAtBothEndsOfEachControl) {
 
 TEST_P(EachLesson, StartsAtAStop) {
     for (const Control& control : GetParam().controls) {
-        const auto stops = stops_of(control);
-        if (stops.empty()) continue;  // corners
+        if (std::holds_alternative<Corners>(control.kind)) continue;  // these start as a choice says
         const double start = starting_settings(GetParam()).at(control.name);
-        const auto is_start = [&](double stop) {
-            return value_text(control, stop) == value_text(control, start);
-        };
-        EXPECT_TRUE(std::ranges::any_of(stops, is_start)) << control.name;
+        EXPECT_EQ(std::ranges::count(stops_of(control), start), 1) << control.name;
     }
 }
 
-/// Whether a control changes what is shown: a picture, a mark, a number or a curve.
+/// What the command line makes of a control at this text.
+double taken(const Lesson& lesson, const Control& control, const std::string& text) {
+    Settings settings;
+    set(settings, lesson, control.name + "=" + text);
+    return settings.at(control.name);
+}
+
+TEST_P(EachLesson, EachStopIsWhatItsLabelShows) {
+    for (const Control& control : GetParam().controls) {
+        for (const double stop : stops_of(control)) {
+            EXPECT_EQ(held(control, stop), stop) << control.name;
+            EXPECT_EQ(taken(GetParam(), control, value_text(control, stop)), stop) << control.name;
+        }
+    }
+}
+
+TEST_P(EachLesson, StopsAreEvenlySpaced) {
+    for (const Control& control : GetParam().controls) {
+        const auto stops = stops_of(control);
+        for (std::size_t i = 2; i < stops.size(); ++i)
+            EXPECT_NEAR(stops[i] - stops[i - 1], stops[1] - stops[0], 1e-9) << control.name;
+    }
+}
+
+/// Whether two screens show different pictures, marks, numbers, or values along a walk.
 bool differ(const Screen& a, const Screen& b) {
     if (!(picture_of(a) == picture_of(b))) return true;
-    for (std::size_t i = 0; i < a.numbers.size(); ++i) {
-        if (a.numbers[i].value != b.numbers[i].value) return true;
-    }
+    if (!std::ranges::equal(a.numbers, b.numbers, {}, &Number::value, &Number::value)) return true;
     return a.walked && b.walked && a.walked->steps.names != b.walked->steps.names;
 }
 
@@ -220,6 +238,11 @@ TEST(PhongTerms, FourTimesTheExponentMatches) {
     };
     EXPECT_GT(term("n-h"), term("r-v"));
     EXPECT_NEAR(term("n-h-matched"), term("r-v"), 0.1);
+}
+
+TEST(PhongTerms, AreToldOfAPixelThatShowsTheTeapot) {
+    for (const raster::Viewport size : {raster::Viewport{300, 60}, {60, 240}, {320, 240}})
+        EXPECT_GT(number_of(drawn("phong-terms", {}, size), "n-l"), 0.1) << size.width;
 }
 
 TEST(CookTorrance, MetalsMirrorInTheirColour) {

@@ -36,8 +36,17 @@ async function opened(width, scheme, hash) {
   return tab;
 }
 
-const shown = (tab) =>
-  tab.$eval("#lesson", (main) => [...main.querySelectorAll("img")].map((image) => image.src.length + image.src.slice(-60)).join() + main.innerText + [...main.querySelectorAll("svg")].map((svg) => svg.outerHTML).join());
+const drawn = (tab) => tab.waitForSelector("#screen .picture");
+
+// What the controls change; they themselves stand outside it.
+async function shown(tab) {
+  await drawn(tab);
+  return tab.$eval("#screen", (screen) => [...screen.querySelectorAll("img")].map((image) => image.src.length + image.src.slice(-60)).join() + screen.innerText + [...screen.querySelectorAll("svg")].map((svg) => svg.outerHTML).join());
+}
+
+// Once there has been a pause.
+const addressHas = (tab, part) =>
+  tab.waitForFunction((text) => location.hash.includes(text), { timeout: 5000 }, part).then(() => true, () => false);
 
 async function accessible(tab, where) {
   await tab.evaluate(axe);
@@ -69,9 +78,17 @@ async function useControls(tab, lesson) {
   }
 }
 
+// Marks lie over the whole of a picture's place.
+const picturesFill = (tab) =>
+  tab.$$eval("#screen .picture", (all) => all.every((place) => {
+    const [a, b] = [place, place.querySelector("img")].map((part) => part.getBoundingClientRect());
+    return Math.abs(a.width - b.width) < 1 && Math.abs(a.height - b.height) < 1;
+  }));
+
 async function useWipe(tab, lesson) {
   if (!(await tab.$('[data-view="wipe"]'))) return;
   await tab.click('[data-view="wipe"]');
+  expect(await picturesFill(tab), `${lesson}: each picture of the wipe is as large as its marks' place`);
   const cut = () => tab.$eval(".over", (over) => over.style.clipPath);
   const before = await cut();
   await tab.focus("#wipe");
@@ -79,6 +96,7 @@ async function useWipe(tab, lesson) {
   expect((await cut()) !== before, `${lesson}: the wipe moves`);
   await tab.click('[data-view="side-by-side"]');
   expect((await tab.$$(".panels figure")).length > 1, `${lesson}: side by side again`);
+  expect(await picturesFill(tab), `${lesson}: each picture is as large as its marks' place`);
 }
 
 // Forwards and back again is where it began, by keys and by buttons.
@@ -113,6 +131,9 @@ async function useStepper(tab) {
   expect(pixels > 20, "edge-table: at the end all pixels are stored");
 }
 
+const plotsAreLabelled = (tab) =>
+  tab.$$eval(".plots figure", (all) => all.every((figure) => figure.querySelector("svg").getAttribute("aria-label") === figure.querySelector("figcaption").textContent));
+
 async function useLesson(tab, lesson) {
   await tab.click(`#contents a[href="#${lesson}"]`);
   await tab.waitForFunction((name) => location.hash.startsWith("#" + name), {}, lesson);
@@ -125,10 +146,115 @@ async function useLesson(tab, lesson) {
   expect((await tab.$$(".in-window")).length === (pointed ? 1 : 0), `${lesson}: says what the window alone can set`);
   expect(await tab.$eval("details:not(.answer) pre", (pre) => pre.textContent.startsWith("scanlight ")), `${lesson}: has its command`);
   await useControls(tab, lesson);
+  expect(await plotsAreLabelled(tab), `${lesson}: each plot's label is its caption`);
   await useWipe(tab, lesson);
   await tab.click(".answer summary");
   expect(await tab.$eval(".answer", (details) => details.open), `${lesson}: the answer opens`);
   await tab.screenshot({ path: `${screenshots}/${lesson}.png`, fullPage: true });
+}
+
+// A polygon of fewer steps holds the step, in the address too.
+async function holdStep() {
+  const tab = await opened(1280, "light", "#edge-table&polygon=quad&step=135");
+  await drawn(tab);
+  await tab.goto(url + "#edge-table&polygon=star");
+  await tab.waitForFunction(() => document.querySelector(".stepper input")?.max < 135);
+  const last = await tab.$eval(".stepper input", (range) => range.max);
+  expect(await addressHas(tab, `polygon=star&shading=gouraud&step=${last}&`), "edge-table: the address tells the step that is shown");
+  await tab.close();
+}
+
+// Keys with Alt, Ctrl or Meta are the browser's.
+async function leaveKeys() {
+  const tab = await opened(1280, "light", "#edge-table");
+  await drawn(tab);
+  for (const [held, taken] of [["altKey", false], ["ctrlKey", false], ["metaKey", false], ["shiftKey", true]]) {
+    const how = { key: "ArrowLeft", bubbles: true, cancelable: true, [held]: true };
+    const isTaken = await tab.$eval(".stepper .picture", (picture, event) => !picture.dispatchEvent(new KeyboardEvent("keydown", event)), how);
+    expect(isTaken === taken, `edge-table: ArrowLeft with ${held} is ${taken ? "" : "not "}taken`);
+  }
+  await tab.close();
+}
+
+// Safari refuses an address that is written often.
+async function writeAddressSeldom() {
+  const tab = await opened(1280, "light", "#mach-bands");
+  await addressHas(tab, "cut=");
+  const written = await tab.evaluate(async () => {
+    let count = 0;
+    const write = history.replaceState.bind(history);
+    history.replaceState = (...all) => (++count, write(...all));
+    const range = document.querySelector("#control-cut");
+    for (let i = 0; i < 200; ++i) {
+      range.value = i % 9;
+      range.dispatchEvent(new Event("input"));
+    }
+    await new Promise((resolve) => setTimeout(resolve, 1000));
+    return count;
+  });
+  expect(written === 1, `200 moves write the address once (${written})`);
+  await tab.close();
+}
+
+async function goBack() {
+  const tab = await opened(1280, "light", "#mach-bands&language=en");
+  await addressHas(tab, "cut=");
+  await tab.focus("#control-cut");
+  await tab.keyboard.press("End");
+  await tab.click('#contents a[href="#silhouette"]');
+  await tab.waitForSelector("#control-slices[max='7']");
+  await tab.click("#language");
+  await tab.goBack();
+  await tab.waitForSelector("#control-cut");
+  expect((await tab.$eval("html", (html) => html.lang)) === "zh-Hans", "going back keeps the language");
+  expect((await tab.$eval("#control-cut", (range) => range.value)) === "8", "going back finds the control where it was left");
+  await tab.close();
+}
+
+async function keepCommandOpen() {
+  const tab = await opened(1280, "light", "#lost-highlight");
+  const told = () => tab.$$eval("#screen details", (all) => all.map((details) => details.open && details.querySelector("pre").textContent));
+  await tab.click(".panels figure:nth-of-type(2) summary");
+  const before = await told();
+  await tab.focus("#control-level");
+  await tab.keyboard.press("End");
+  const after = await told();
+  expect(after[1] && after[1] !== before[1], "lost-highlight: an opened command follows the control");
+  expect(after.filter(Boolean).length === 1, "lost-highlight: no other command opens");
+  await tab.close();
+}
+
+// Where there are fewer pictures than before, the lists name the two that are shown.
+async function wipeFewer() {
+  const tab = await opened(1280, "light", "#mappings&surface=bump");
+  await tab.click('[data-view="wipe"]');
+  await tab.select("#wipe-0", "3");
+  await tab.select("#control-surface", await tab.$$eval("#control-surface option", (all) => all.find(({ text }) => text.startsWith("wood")).value));
+  for (const [list, picture] of [["#wipe-0", ".over img"], ["#wipe-1", ".wiped > .picture img"]]) {
+    const named = await tab.$eval(list, (select) => select.selectedOptions[0].text);
+    const alt = await tab.$eval(picture, (image) => image.alt);
+    expect(alt.startsWith(named + ". "), `mappings: the list says ${named}, the picture ${alt}`);
+  }
+  await tab.close();
+}
+
+// Whatever stands in a word, it is no markup.
+async function tellAnyWord() {
+  const tab = await opened(1280, "light", "");
+  await tab.evaluate(() => {
+    for (const { en } of Object.values(course.texts))
+      for (const key of Object.keys(en)) en[key] = `<b a='"'>&lt; ${key}`;
+  });
+  for (const [i, lesson] of lessons.entries()) {
+    await tab.evaluate((number) => {
+      state.lesson = number;
+      draw();
+    }, i);
+    await drawn(tab);
+    expect((await tab.$$("b")).length === 0, `${lesson}: no word is markup`);
+    expect(await plotsAreLabelled(tab), `${lesson}: any word labels a plot`);
+  }
+  await tab.close();
 }
 
 const desk = await opened(1280, "light", "");
@@ -139,7 +265,7 @@ for (const lesson of lessons) await useLesson(desk, lesson);
 for (const [language, scheme] of [["en", "light"], ["zh", "dark"]]) {
   for (const lesson of lessons) {
     const tab = await opened(1280, scheme, `#${lesson}&language=${language}`);
-    await tab.waitForSelector("#screen > *");
+    await drawn(tab);
     await accessible(tab, `${lesson}, ${language}, ${scheme}`);
     if (scheme === "dark") await tab.screenshot({ path: `${screenshots}/${lesson}-zh-dark.png`, fullPage: true });
     await tab.close();
@@ -152,8 +278,11 @@ for (const [hash, step] of [["#edge-table&step=-5", "0"], ["#edge-table&step=999
   await tab.waitForSelector(".stepper");
   const said = await tab.$eval(".stepper input", (range) => range.getAttribute("aria-valuetext"));
   expect(said.startsWith(`Step ${step} of 135. `), `${hash}: at a step (${said})`);
+  expect(await addressHas(tab, `step=${step}&`), `${hash}: the address tells that step`);
   await tab.close();
 }
+
+for (const use of [holdStep, leaveKeys, writeAddressSeldom, goBack, keepCommandOpen, wipeFewer, tellAnyWord]) await use();
 
 const cut = (tab) => tab.$$eval(".scroll", (all) => all.some((box) => box.scrollWidth > box.clientWidth));
 for (const shading of ["gouraud", "phong"]) {
@@ -166,11 +295,20 @@ for (const shading of ["gouraud", "phong"]) {
 }
 
 const phone = await opened(375, "light", "");
+async function fitsPhone(what) {
+  await drawn(phone);
+  const width = await phone.evaluate(() => document.documentElement.scrollWidth);
+  expect(width <= 375, `${what}: fits a phone (${width} px)`);
+}
 for (const lesson of lessons) {
   await phone.goto(url + "#" + lesson);
-  await phone.waitForSelector("#screen > *");
-  const width = await phone.evaluate(() => document.documentElement.scrollWidth);
-  expect(width <= 375, `${lesson}: fits a phone (${width} px)`);
+  await phone.waitForFunction((name) => document.querySelector("#contents a[aria-current]").hash === "#" + name, {}, lesson);
+  if (await phone.$('[data-view="wipe"]')) {
+    await phone.click('[data-view="wipe"]');
+    await fitsPhone(`${lesson}, wipe`);
+    await phone.click('[data-view="side-by-side"]');
+  }
+  await fitsPhone(lesson);
   const current = await phone.$eval("#contents a[aria-current]", (link) => link.getBoundingClientRect().toJSON());
   expect(current.left >= 0 && current.left < 375, `${lesson}: is seen in the list of a phone`);
   await phone.screenshot({ path: `${screenshots}/${lesson}-phone.png`, fullPage: true });

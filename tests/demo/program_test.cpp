@@ -138,6 +138,36 @@ TEST(DemoProgram, HelpHasExamples) {
     EXPECT_EQ(shell.run("scanlight-demo --version").out, "scanlight-demo " SCANLIGHT_VERSION "\n");
 }
 
+TEST(DemoProgram, TheWindowHasHelpToo) {
+    const Shell shell;
+    const Outcome help = shell.run("scanlight-demo --window --help");
+    EXPECT_EQ(help.status, 0);
+    EXPECT_EQ(help.err, "");
+    EXPECT_NE(help.out.find("--snapshot"), std::string::npos);
+}
+
+TEST(DemoProgram, TheWindowSaysWhatIsWrongAsTheCourseDoes) {
+    const Shell shell;
+    const std::string told =
+        "scanlight-demo: The following argument was not expected: --nonsense; "
+        "see scanlight-demo --help\n";
+    for (const char* arguments : {"--nonsense --list", "--nonsense --window"}) {
+        const Outcome outcome = shell.run(std::string("scanlight-demo ") + arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_EQ(outcome.err, told) << arguments;
+    }
+}
+
+TEST(DemoProgram, AFullDiskIsAnError) {
+    const Shell shell;
+    for (const char* arguments : {"--help", "--window --help"}) {
+        const Outcome outcome =
+            shell.run(std::string("scanlight-demo ") + arguments + " >/dev/full");
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_EQ(outcome.err, "scanlight-demo: standard output: cannot be written\n");
+    }
+}
+
 TEST(DemoProgram, ALessonBringsTheFilesOfItsCommands) {
     const Shell shell;
     const Outcome outcome = shell.run("scanlight-demo --lesson transparency --size 24x18");

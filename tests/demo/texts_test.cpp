@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 
@@ -89,6 +92,27 @@ TEST_P(TextsOf, NoWordIsLeftOver) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Lessons, TextsOf, testing::ValuesIn(lessons()), lesson_test_name);
+
+/// The programs of the demo: its C++ and its scripts.
+std::string all_sources() {
+    std::string text;
+    using Folder = std::filesystem::recursive_directory_iterator;
+    for (const auto& entry : Folder(SCANLIGHT_TESTS_DIR "/../apps/demo")) {
+        const auto kind = entry.path().extension();
+        if (kind != ".cpp" && kind != ".js") continue;
+        std::ifstream file(entry.path());
+        text.append(std::istreambuf_iterator<char>(file), {});
+    }
+    return text;
+}
+
+TEST(Texts, NoCommonWordIsLeftOver) {
+    const std::string sources = all_sources();
+    for (const char* name : {"page", "common"}) {
+        for (const auto& [key, text] : texts().chapters().at(name).english)
+            EXPECT_NE(sources.find("\"" + key + "\""), std::string::npos) << name << ": " << key;
+    }
+}
 
 TEST(Texts, BothLanguagesHaveTheSameKeys) {
     for (const auto& [name, chapter] : texts().chapters()) {

@@ -10,7 +10,6 @@
 #include "apps/scanlight/text_table.h"
 #include "apps/scene/parse.h"
 #include "mesh/trigonometry.h"
-#include "render/draw.h"
 #include "shading/cook_torrance.h"
 #include "shading/phong.h"
 #include "shading/reflection.h"
@@ -176,22 +175,16 @@ std::vector<Number> numbers_of(const Directions& at, const std::string& metal, d
     return numbers;
 }
 
-/// The pixel that was picked, or the nearest to it that shows the teapot.
-Pixel pixel_of(const Settings& settings, const Stage& stage) {
-    const auto size = stage.options().size;
-    const Pixel picked{std::min(static_cast<int>(settings.at("x") * size.width), size.width - 1),
-                       std::min(static_cast<int>(settings.at("y") * size.height), size.height - 1)};
-    const auto& depth_settings = stage.options().settings;
-    return nearest_surface(
-        render::draw_depth(stage.scene(), depth_settings, size).framebuffer.depth, picked);
+Pixel pixel_of(const Settings& settings, raster::Viewport size) {
+    return {std::min(static_cast<int>(settings.at("x") * size.width), size.width - 1),
+            std::min(static_cast<int>(settings.at("y") * size.height), size.height - 1)};
 }
 
 Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& means) {
     const std::string& metal = metals[static_cast<std::size_t>(settings.at("metal"))];
     const double m = settings.at("m");
     const Stage stage(metal_arguments(metal, m), size);
-    const Pixel pixel = pixel_of(settings, stage);
-    const Directions at = picked_point(stage, pixel).directions;
+    const auto [pixel, at] = picked_point(stage, pixel_of(settings, size));
     const double light_deg =
         std::acos(std::clamp(shading::dot(at.N, at.L), -1.0, 1.0)) * 180.0 / mesh::pi;
     Screen screen{

@@ -80,7 +80,7 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
 
 Lesson orientation_lesson() {
     return {"orientation",
-            {{"angle", "φ", Slider{0, most_deg, 25, 15}}},
+            {{"angle", "φ", Slider{0, most_deg, 13, 15}}},
             {{"raster/bilinear.h", "Bilinear::along"},
              {"raster/plane.h", "Planar::of"},
              {"mesh/triangulate.h", "triangulated"}},

@@ -68,10 +68,13 @@ std::vector<Number> numbers_at(const PickedPoint& point, const Highlight& highli
 Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& means) {
     const Highlight highlight = highlight_of(settings);
     const Terms terms(highlight, size);
-    const Pixel pixel{size.width * 26 / 100, size.height * 40 / 100};  // beside the highlight
+    // Of a picture of 4:3 beside the highlight.
+    const Pixel wanted{size.width * 26 / 100, size.height * 40 / 100};
+    const PickedPoint picked = picked_point(terms.all, wanted);
+    const Pixel& pixel = picked.pixel;
     Screen screen{{terms.ambient.panel("ambient", means), terms.diffuse.panel("diffuse", means),
                    terms.specular.panel("specular", means), terms.all.panel("all", means)},
-                  numbers_at(picked_point(terms.all, pixel), highlight)};
+                  numbers_at(picked, highlight)};
     screen.panels.back().marks = {mark_at(pixel)};
     screen.plots = {
         {"terms-plot",

@@ -151,7 +151,7 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
 
 Lesson shadow_volumes_lesson() {
     return {"shadow-volumes",
-            {{"eye", "", Slider{0, 1, 7, 0, 2}},
+            {{"eye", "", Slider{0, 1, 6, 0, 2}},
              {"x", "x", Slider{0.1, 0.9, 9, 0.3, 3}, Moved::by_pictures, Pointed::column},
              // At first the row lies on lit floor and dark floor.
              {"y", "y", Slider{0.01, 0.99, 99, 0.51, 3}, Moved::by_pointing, Pointed::row}},

@@ -2,7 +2,7 @@
 // The course: one lesson at a time, drawn from the data that the renderer wrote into this file.
 
 const course = JSON.parse(document.getElementById("data").textContent);
-const state = { language: document.documentElement.lang, lesson: 0, at: {}, view: "side-by-side", wipe: [0, 1, 50], step: 60 };
+const state = { language: document.documentElement.lang, lesson: 0, at: {}, view: "side-by-side", wipe: [0, 1], divider: 50, step: 60 };
 
 function element(name, properties = {}, ...children) {
   const made = document.createElement(name);
@@ -58,37 +58,56 @@ function screenOf(lesson) {
 }
 
 // A link to what is seen now.
-function remember() {
+function addressNow() {
   const lesson = lessonNow();
   const parts = [lesson.name];
   lesson.controls.forEach((control, i) => parts.push(`${control.name}=${control.stops[positions(lesson)[i]]}`));
   if (screenOf(lesson).steps) parts.push(`step=${state.step}`);
   parts.push(`language=${state.language}`);
-  history.replaceState(null, "", "#" + parts.join("&"));
+  return "#" + parts.join("&");
 }
 
-// An address that was mangled on its way tells nothing.
-function addressParts() {
+let addressPause;
+
+function writeAddress() {
+  clearTimeout(addressPause);
+  history.replaceState(null, "", addressNow());
+}
+
+// After a pause: browsers refuse an address that is written at each step of a held key.
+function remember() {
+  clearTimeout(addressPause);
+  addressPause = setTimeout(writeAddress, 300);
+}
+
+// The lesson's name, and the values after it by their keys. An address that was mangled on its way
+// tells nothing.
+function addressed() {
   try {
-    return decodeURIComponent(location.hash.slice(1)).split("&");
+    const [name, ...rest] = decodeURIComponent(location.hash.slice(1)).split("&");
+    return [name, new Map(rest.map((part) => part.split("=")))];
   } catch {
-    return [""];
+    return ["", new Map()];
   }
 }
 
+function recallLanguage() {
+  const language = addressed()[1].get("language");
+  if (["en", "zh"].includes(language)) state.language = language;
+}
+
 function recall() {
-  const [name, ...rest] = addressParts();
+  const [name, values] = addressed();
   const found = course.lessons.findIndex((lesson) => lesson.name === name);
   if (found < 0) return;
   state.lesson = found;
   const lesson = lessonNow();
-  for (const part of rest) {
-    const [key, value] = part.split("=");
-    if (key === "language" && ["en", "zh"].includes(value)) state.language = value;
-    if (key === "step" && value && Number.isInteger(Number(value))) state.step = Math.max(0, Number(value));
-    const i = lesson.controls.findIndex((control) => control.name === key);
-    if (i >= 0 && lesson.controls[i].stops.includes(value)) positions(lesson)[i] = lesson.controls[i].stops.indexOf(value);
-  }
+  const step = values.get("step");
+  if (step && Number.isInteger(Number(step))) state.step = Number(step);
+  lesson.controls.forEach(({ name: key, stops }, i) => {
+    const stop = stops.indexOf(values.get(key));
+    if (stop >= 0) positions(lesson)[i] = stop;
+  });
 }
 
 // ---- pictures
@@ -134,13 +153,14 @@ function sideBySide(lesson, screen) {
 }
 
 function wiped(lesson, screen) {
-  const [left, right] = state.wipe.map((i) => screen.panels[Math.min(i, screen.panels.length - 1)]);
+  state.wipe = state.wipe.map((i) => Math.min(i, screen.panels.length - 1));
+  const [left, right] = state.wipe.map((i) => screen.panels[i]);
   const over = element("div", { className: "over" }, picture(lesson, left));
-  const place = () => (over.style.clipPath = `inset(0 ${100 - state.wipe[2]}% 0 0)`);
+  const place = () => (over.style.clipPath = `inset(0 ${100 - state.divider}% 0 0)`);
   place();
-  const range = element("input", { type: "range", min: 0, max: 100, value: state.wipe[2], id: "wipe", "aria-label": pageWord("wipe-slider") });
+  const range = element("input", { type: "range", min: 0, max: 100, value: state.divider, id: "wipe", "aria-label": pageWord("wipe-slider") });
   range.addEventListener("input", () => {
-    state.wipe[2] = Number(range.value);
+    state.divider = Number(range.value);
     place();
   });
   const stack = element("div", { className: "wiped" }, picture(lesson, right), over);
@@ -235,13 +255,20 @@ function numbers(lesson, screen) {
   return element("section", {}, element("h3", {}, pageWord("numbers-head")), element("table", { className: "numbers" }, body));
 }
 
+// Words go into the drawing as words, whatever stands in them.
+function plotPicture(lesson, svg) {
+  const template = element("template");
+  template.innerHTML = svg;
+  const made = template.content.firstElementChild;
+  made.setAttribute("aria-label", filled(lesson.name, made.getAttribute("aria-label")));
+  for (const text of made.querySelectorAll("text")) text.textContent = filled(lesson.name, text.textContent);
+  return made;
+}
+
 function plots(lesson, screen) {
   const box = element("div", { className: "plots" });
-  for (const { key, svg } of screen.plots) {
-    const figure = element("figure", {}, element("figcaption", {}, word(lesson.name, key)));
-    figure.insertAdjacentHTML("beforeend", filled(lesson.name, svg));
-    box.append(figure);
-  }
+  for (const { key, svg } of screen.plots)
+    box.append(element("figure", {}, element("figcaption", {}, word(lesson.name, key)), plotPicture(lesson, svg)));
   return screen.plots.length ? box : "";
 }
 
@@ -263,7 +290,7 @@ function tables(lesson, screen) {
 }
 
 function command(panel, head = "command-head") {
-  return element("details", {}, element("summary", {}, pageWord(head)), element("pre", {}, panel.command));
+  return element("details", { data: { panel: panel.key } }, element("summary", {}, pageWord(head)), element("pre", {}, panel.command));
 }
 
 // What the commands read, for whoever has this page alone.
@@ -287,11 +314,11 @@ function stepper(lesson, screen) {
   const image = new Image();
   image.onload = () => {
     const said = { say: pageWord, table: (key, ...rest) => table(pageWord(key), ...rest), code };
-    const made = new Stepper(screen.steps, image, said, state.step, (step) => {
+    const made = new Stepper(screen.steps, image, said, (step) => {
       state.step = step;
       remember();
     });
-    holder.replaceChildren(made.build());
+    holder.replaceChildren(made.build(state.step));
   };
   image.src = course.pictures[screen.steps.picture];
   return holder;
@@ -305,9 +332,17 @@ function screenParts(lesson, screen) {
   return [viewButtons(screen), pictures, numbers(lesson, screen), plots(lesson, screen), ...tables(lesson, screen)];
 }
 
+function openPanels(screen) {
+  return [...screen.querySelectorAll("details[open]")].map((details) => details.dataset.panel);
+}
+
+// Commands that were opened stay open.
 function drawScreen(focused) {
   const lesson = lessonNow();
-  document.getElementById("screen").replaceChildren(...screenParts(lesson, screenOf(lesson)));
+  const screen = document.getElementById("screen");
+  const open = openPanels(screen);
+  screen.replaceChildren(...screenParts(lesson, screenOf(lesson)));
+  for (const details of screen.querySelectorAll("details")) details.open = open.includes(details.dataset.panel);
   if (focused) document.getElementById(focused).focus();
   remember();
 }
@@ -393,12 +428,15 @@ document.getElementById("skip").addEventListener("click", (event) => {
   event.preventDefault();
   document.getElementById("lesson").focus();
 });
+// Before a link leads away: what was seen last is to be found by going back.
+document.addEventListener("click", (event) => event.target.closest("a") && writeAddress());
 addEventListener("hashchange", () => {
-  state.wipe = [0, 1, 50];
+  Object.assign(state, { wipe: [0, 1], divider: 50 });
   recall();
   draw();
   document.getElementById("lesson").focus({ preventScroll: true });
   scrollTo(0, 0);
 });
+recallLanguage();
 recall();
 draw();

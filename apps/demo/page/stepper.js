@@ -12,10 +12,9 @@ function svgElement(name, attributes) {
 
 class Stepper {
   // `image` is what the steps led to. `texts` has say(key, ...values) and table(key, columns, rows,
-  // now) and code(kind); `moved(step)` is told of each step.
-  constructor({ polygon, names, walk }, image, texts, start, moved) {
+  // now) and code(kind); `moved(step)` is told of each step, the first too.
+  constructor({ polygon, names, walk }, image, texts, moved) {
     Object.assign(this, { polygon, names, walk, image, texts, moved });
-    this.step = this.clamped(start);
     this.drawn = this.drawnPixels();
   }
 
@@ -51,7 +50,7 @@ class Stepper {
     this.go(step);
   }
 
-  build() {
+  build(start) {
     const root = document.createElement("div");
     root.className = this.names.length > 1 ? "stepper wide" : "stepper";
     this.stage = document.createElement("div");
@@ -72,7 +71,7 @@ class Stepper {
     this.tables.className = "step-tables";
     this.code.className = "step-code";
     root.append(left, this.says, this.tables, this.code);
-    this.render();
+    this.go(start);
     return root;
   }
 
@@ -115,7 +114,8 @@ class Stepper {
       Home: () => this.go(0),
       End: () => this.go(this.walk.length - 1),
     };
-    if (!actions[event.key]) return;
+    const isOfTheBrowser = event.altKey || event.ctrlKey || event.metaKey;
+    if (isOfTheBrowser || !actions[event.key]) return;
     event.preventDefault();
     actions[event.key]();
   }
