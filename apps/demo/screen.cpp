@@ -33,15 +33,16 @@ void draw_line(raster::Image8& picture, const Mark& mark) {
     }
 }
 
-/// Four sides about a pixel, which stays to be seen.
-void draw_frame(raster::Image8& picture, const glm::dvec2& at) {
-    constexpr int r = circle_radius;
+/// About a pixel, which stays to be seen.
+void draw_circle(raster::Image8& picture, const glm::dvec2& at) {
     const int x = static_cast<int>(std::floor(at.x));
     const int y = static_cast<int>(std::floor(at.y));
-    apps::fill_box(picture, x - r, y - r, 2 * r + 1, 1, mark_color);
-    apps::fill_box(picture, x - r, y + r, 2 * r + 1, 1, mark_color);
-    apps::fill_box(picture, x - r, y - r, 1, 2 * r + 1, mark_color);
-    apps::fill_box(picture, x + r, y - r, 1, 2 * r + 1, mark_color);
+    for (int dy = -circle_radius; dy <= circle_radius; ++dy) {
+        for (int dx = -circle_radius; dx <= circle_radius; ++dx) {
+            if (std::abs(std::hypot(dx, dy) - circle_radius) < 0.5)
+                apps::fill_box(picture, x + dx, y + dy, 1, 1, mark_color);
+        }
+    }
 }
 
 }  // namespace
@@ -50,7 +51,7 @@ raster::Image8 marked(const Panel& panel) {
     raster::Image8 picture = panel.picture;
     for (const Mark& mark : panel.marks) {
         if (mark.from == mark.to) {
-            draw_frame(picture, mark.from);
+            draw_circle(picture, mark.from);
         } else {
             draw_line(picture, mark);
         }

@@ -23,7 +23,7 @@ std::string title_of(std::size_t place, demo::Language language) {
 
 WindowState draw_entries(WindowState state) {
     if (ImGui::Selectable(page_word("free-view", state).c_str(), state.subject == Subject::scene))
-        state.subject = Subject::scene;
+        state = about(std::move(state), Subject::scene);
     for (std::size_t i = 0; i < demo::lessons().size(); ++i) {
         const bool is_shown = state.subject == Subject::lesson && state.lesson.place == i;
         if (ImGui::Selectable(title_of(i, state.lesson.language).c_str(), is_shown))

@@ -128,9 +128,7 @@ WindowState after_key(WindowState state, char letter) {
             state.picked = state.picked ? std::nullopt : state.mouse;
             return state;
         case 'c':
-            state.subject = Subject::lesson;
-            state.drag = {};
-            return state;
+            return about(std::move(state), Subject::lesson);
         default:
             return state;
     }

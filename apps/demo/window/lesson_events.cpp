@@ -116,11 +116,8 @@ struct After {
         return std::move(state);
     }
     WindowState operator()(NamedKey key) {
-        if (key == NamedKey::escape) {
-            state.subject = Subject::scene;
-        } else {
-            state.lesson = after_key(std::move(state.lesson), key);
-        }
+        if (key == NamedKey::escape) return about(std::move(state), Subject::scene);
+        state.lesson = after_key(std::move(state.lesson), key);
         return std::move(state);
     }
 

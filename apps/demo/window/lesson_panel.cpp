@@ -205,7 +205,7 @@ Wish LessonPanel::draw_ways(WindowState& state) {
     explain(page_word(state.lesson, "next"));
     ImGui::SameLine();
     if (draw_button("free view", page_word(state.lesson, "free-view")))
-        state.subject = Subject::scene;
+        state = about(std::move(state), Subject::scene);
     ImGui::SameLine();
     const bool is_saved = draw_button("save picture", page_word(state.lesson, "save-picture"));
     return is_saved ? Wish::save_picture : Wish::nothing;

@@ -82,12 +82,24 @@ WindowState on_canvas(WindowState state, raster::Viewport canvas) {
     return with_sizes(std::move(state));
 }
 
+WindowState about(WindowState state, Subject subject) {
+    state.subject = subject;
+    state.drag = {};
+    state.lesson.drag = {};
+    return state;
+}
+
+bool is_dragging(const WindowState& state) {
+    return !std::holds_alternative<std::monostate>(state.drag) ||
+           !std::holds_alternative<std::monostate>(state.lesson.drag);
+}
+
 WindowState with_input(WindowState state, const std::string& input) {
     for (SceneOptions& view : state.views)
         view = showing(std::move(view), input);
-    state.subject = Subject::scene;  // so that it is drawn, or refused, at once
     state.picked.reset();
-    return with_sizes(std::move(state));
+    // Seen, so that it is drawn, or refused, at once.
+    return about(with_sizes(std::move(state)), Subject::scene);
 }
 
 WindowState framed(WindowState state, const render::ViewAngles& view) {
@@ -99,10 +111,8 @@ WindowState framed(WindowState state, const render::ViewAngles& view) {
 }
 
 WindowState with_lesson(WindowState state, LessonState lesson) {
-    state.subject = Subject::lesson;
     state.lesson = std::move(lesson);
-    state.drag = {};
-    return state;
+    return about(std::move(state), Subject::lesson);
 }
 
 WindowState with_other_alike(WindowState state) {

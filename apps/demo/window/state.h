@@ -95,6 +95,12 @@ WindowState with_input(WindowState state, const std::string& input);
 /// Both views look from the side that is named, as far away as shows all.
 WindowState framed(WindowState state, const render::ViewAngles& view);
 
+/// What the window is about from now on; the mouse lets go of what it had hold of.
+WindowState about(WindowState state, Subject subject);
+
+/// Whether the mouse has hold of something.
+bool is_dragging(const WindowState& state);
+
 /// The lesson is what the window shows.
 WindowState with_lesson(WindowState state, LessonState lesson);
 

@@ -12,10 +12,6 @@ bool is_on_canvas(Point p, const WindowState& state) {
     return p.x >= 0.0 && p.y >= 0.0 && p.x < state.canvas.width && p.y < state.canvas.height;
 }
 
-bool drags(const WindowState& state) {
-    return !std::holds_alternative<std::monostate>(state.drag);
-}
-
 Button button_of(Uint8 sdl_button) {
     if (sdl_button == SDL_BUTTON_LEFT) return Button::left;
     return sdl_button == SDL_BUTTON_MIDDLE ? Button::middle : Button::right;
@@ -23,7 +19,7 @@ Button button_of(Uint8 sdl_button) {
 
 Event moved(const SDL_MouseMotionEvent& motion, const WindowState& state) {
     const Point to{static_cast<double>(motion.x), static_cast<double>(motion.y)};
-    if (drags(state) || is_on_canvas(to, state)) return Move{to};
+    if (is_dragging(state) || is_on_canvas(to, state)) return Move{to};
     return Leave{};
 }
 
@@ -85,7 +81,7 @@ bool leaves_window(const SDL_Event& event) {
 std::optional<Event> translated(const SDL_Event& event, const WindowState& state) {
     switch (event.type) {
         case SDL_WINDOWEVENT:
-            return leaves_window(event) && !drags(state) ? std::optional<Event>(Leave{})
+            return leaves_window(event) && !is_dragging(state) ? std::optional<Event>(Leave{})
                                                          : std::nullopt;
         case SDL_MOUSEMOTION:
             return moved(event.motion, state);

@@ -229,9 +229,8 @@ void Window::draw_overlay() {
     draw_marks(state_, cameras());
     if (state_.arrangement == Arrangement::difference && contrast_)
         draw_label(summary_of(contrast_->difference), {10.0, 10.0});
-    const bool is_still = std::holds_alternative<std::monostate>(state_.drag);
     const auto picked = picked_pixel(state_);
-    if (!picked || !is_still) return;
+    if (!picked || is_dragging(state_)) return;
     const auto index = static_cast<std::size_t>(picked->view);
     const SceneOptions& options = state_.of(picked->view);
     const auto pixel = readers_[index].at(painters_[index], options, picked->x, picked->y);
