@@ -196,6 +196,18 @@ async function writeAddressSeldom() {
   await tab.close();
 }
 
+async function keepNewAddress() {
+  const tab = await opened(1280, "light", "#mach-bands");
+  await addressHas(tab, "cut=");
+  const address = await tab.evaluate(() => {
+    location.hash = "#silhouette";
+    writeAddress();
+    return location.hash;
+  });
+  expect(address === "#silhouette", `a new address is not written over (${address})`);
+  await tab.close();
+}
+
 async function goBack() {
   const tab = await opened(1280, "light", "#mach-bands&language=en");
   await addressHas(tab, "cut=");
@@ -282,7 +294,7 @@ for (const [hash, step] of [["#edge-table&step=-5", "0"], ["#edge-table&step=999
   await tab.close();
 }
 
-for (const use of [holdStep, leaveKeys, writeAddressSeldom, goBack, keepCommandOpen, wipeFewer, tellAnyWord]) await use();
+for (const use of [holdStep, leaveKeys, writeAddressSeldom, keepNewAddress, goBack, keepCommandOpen, wipeFewer, tellAnyWord]) await use();
 
 const cut = (tab) => tab.$$eval(".scroll", (all) => all.some((box) => box.scrollWidth > box.clientWidth));
 for (const shading of ["gouraud", "phong"]) {

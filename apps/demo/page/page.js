@@ -68,10 +68,14 @@ function addressNow() {
 }
 
 let addressPause;
+let addressKnown;
 
+// A new address, of which `hashchange` is about to tell, stays.
 function writeAddress() {
   clearTimeout(addressPause);
+  if (location.hash !== addressKnown) return;
   history.replaceState(null, "", addressNow());
+  addressKnown = location.hash;
 }
 
 // After a pause: browsers refuse an address that is written at each step of a held key.
@@ -97,6 +101,7 @@ function recallLanguage() {
 }
 
 function recall() {
+  addressKnown = location.hash;
   const [name, values] = addressed();
   const found = course.lessons.findIndex((lesson) => lesson.name === name);
   if (found < 0) return;
