@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cfloat>
 #include <cmath>
 #include <span>
@@ -12,6 +11,7 @@
 
 #include "apps/demo/window/gui.h"
 #include "apps/demo/window/round.h"
+#include "apps/demo/window/symbol_text.h"
 #include "raster/srgb.h"
 
 namespace scanlight::apps::window {
@@ -124,30 +124,6 @@ std::optional<Value> draw_color(const Parameter& parameter, const std::optional<
     return changed;
 }
 
-// ---- symbols
-
-struct Piece {
-    enum Place { on_line, low };
-    std::string text;
-    Place place;
-};
-
-/// "K_s'" is K, a low s and '.
-std::vector<Piece> pieces_of(const std::string& symbol) {
-    std::vector<Piece> pieces{{"", Piece::on_line}};
-    for (const char c : symbol) {
-        const bool is_low = pieces.back().place == Piece::low;
-        const bool ends = is_low && std::isalnum(static_cast<unsigned char>(c)) == 0;
-        if (ends) pieces.push_back({"", Piece::on_line});
-        if (c == '_') {
-            pieces.push_back({"", Piece::low});
-        } else {
-            pieces.back().text += c;
-        }
-    }
-    return pieces;
-}
-
 }  // namespace
 
 std::optional<Value> draw_control(const Parameter& parameter, const std::optional<Value>& value) {
@@ -182,7 +158,7 @@ void draw_symbol(const std::string& symbol) {
     const float drop = std::round(subscript_drop * ImGui::GetFontSize());
     float x = line.x;
     for (const auto& [text, place] : std::span(pieces).subspan(1)) {
-        const bool is_low = place == Piece::low;
+        const bool is_low = place == SymbolPiece::low;
         ImFont* font = is_low ? subscript_font() : ImGui::GetFont();
         list.AddText(font, font->FontSize, {x, line.y + (is_low ? drop : 0.0f)},
                      ImGui::GetColorU32(ImGuiCol_Text), text.c_str());

@@ -12,6 +12,7 @@
 #include "apps/demo/window/course_list.h"
 #include "apps/demo/window/formula_draw.h"
 #include "apps/demo/window/gui.h"
+#include "apps/demo/window/paragraph.h"
 #include "apps/scanlight/text_table.h"
 
 namespace scanlight::apps::window {
@@ -143,6 +144,17 @@ void draw_numbers(const LessonState& lesson, const demo::Screen& screen) {
     ImGui::EndTable();
 }
 
+/// With what its letters mean, and what some lessons add.
+void draw_formula_of(const LessonState& lesson) {
+    const std::string& name = lesson.lesson().name;
+    draw_heading(page_word(lesson, "formula-head"));
+    draw_formula(demo::texts().chapters().at(name).formula);
+    for (const char* key : {"letters", "remark"}) {
+        if (const auto* text = demo::texts().find(name, key, lesson.language))
+            draw_paragraph(*text);
+    }
+}
+
 void draw_places(const LessonState& lesson) {
     draw_heading(page_word(lesson, "source-head"));
     for (const auto& [file, function] : lesson.lesson().places)
@@ -177,8 +189,7 @@ LessonPanel::Result LessonPanel::draw(WindowState state, const LessonSight& sigh
         draw_heading(page_word(lesson, "notice-head"));
         draw_text(word(lesson, "notice"));
         draw_question(lesson);
-        draw_heading(page_word(lesson, "formula-head"));
-        draw_formula(demo::texts().chapters().at(lesson.lesson().name).formula);
+        draw_formula_of(lesson);
         draw_places(lesson);
         result.to_copy = draw_commands(lesson, sight);
     }
