@@ -61,7 +61,8 @@ TEST_P(EachLesson, DrawsAtBothEndsOfEachControl) {
 
 TEST_P(EachLesson, StartsAtAStop) {
     for (const Control& control : GetParam().controls) {
-        if (std::holds_alternative<Corners>(control.kind)) continue;  // these start as a choice says
+        if (std::holds_alternative<Corners>(control.kind))
+            continue;  // these start as a choice says
         const double start = starting_settings(GetParam()).at(control.name);
         EXPECT_EQ(std::ranges::count(stops_of(control), start), 1) << control.name;
     }

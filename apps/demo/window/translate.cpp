@@ -82,7 +82,7 @@ std::optional<Event> translated(const SDL_Event& event, const WindowState& state
     switch (event.type) {
         case SDL_WINDOWEVENT:
             return leaves_window(event) && !is_dragging(state) ? std::optional<Event>(Leave{})
-                                                         : std::nullopt;
+                                                               : std::nullopt;
         case SDL_MOUSEMOTION:
             return moved(event.motion, state);
         case SDL_MOUSEBUTTONDOWN:
