@@ -208,10 +208,9 @@ const Control& control_named(const Lesson& lesson, const std::string& name) {
     throw UsageError(lesson.name + " has no control '" + name + "', but " + joined(names));
 }
 
-const std::string& word_of(const Lesson& lesson, const Settings& settings,
-                           const std::string& control) {
-    const auto& choice = std::get<Choice>(control_named(lesson, control).kind);
-    return choice.words[static_cast<std::size_t>(settings.at(control))];
+const std::string& word_of(const std::vector<std::string>& words, const Settings& settings,
+                           const std::string& choice) {
+    return words.at(static_cast<std::size_t>(settings.at(choice)));
 }
 
 }  // namespace scanlight::demo

@@ -52,8 +52,8 @@ void set_frame(Settings& settings, const Lesson& lesson, int frame);
 /// The control of this name. Throws UsageError, which names them all, where there is none.
 const Control& control_named(const Lesson& lesson, const std::string& name);
 
-/// A choice's word.
-const std::string& word_of(const Lesson& lesson, const Settings& settings,
-                           const std::string& control);
+/// Which of its words a choice has.
+const std::string& word_of(const std::vector<std::string>& words, const Settings& settings,
+                           const std::string& choice);
 
 }  // namespace scanlight::demo

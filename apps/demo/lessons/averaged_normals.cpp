@@ -80,7 +80,7 @@ Panel normals_panel(const std::string& arguments, raster::Viewport size) {
 
 Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& means) {
     const double crease = settings.at("crease");
-    const std::string& weighting = weightings[static_cast<std::size_t>(settings.at("weighting"))];
+    const std::string& weighting = word_of(weightings, settings, "weighting");
     const mesh::Mesh mesh = built(weighting, crease);
     Screen screen{
         {panel_of("faces", arguments(weighting, crease, "--shading flat --wireframe=over"), size,

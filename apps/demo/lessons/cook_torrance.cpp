@@ -6,6 +6,7 @@
 #include "apps/demo/lessons.h"
 #include "apps/demo/measure.h"
 #include "apps/demo/picked_point.h"
+#include "apps/demo/settings.h"
 #include "apps/demo/stage.h"
 #include "apps/scanlight/text_table.h"
 #include "apps/scene/parse.h"
@@ -181,7 +182,7 @@ Pixel pixel_of(const Settings& settings, raster::Viewport size) {
 }
 
 Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& means) {
-    const std::string& metal = metals[static_cast<std::size_t>(settings.at("metal"))];
+    const std::string& metal = word_of(metals, settings, "metal");
     const double m = settings.at("m");
     const Stage stage(metal_arguments(metal, m), size);
     const auto [pixel, at] = picked_point(stage, pixel_of(settings, size));

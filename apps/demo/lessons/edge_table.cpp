@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,7 +68,7 @@ const Control& control_of_corners() {
 
 std::string arguments(const Settings& settings) {
     return "polygon:" + text_of(control_of_corners(), settings) + camera + " --shading " +
-           shadings[static_cast<std::size_t>(settings.at("shading"))] +
+           word_of(shadings, settings, "shading") +
            " --perspective affine --material \"kd=0.6 ks=0.4 n=8\" --light point:-0.9,1,0.8";
 }
 
@@ -81,25 +82,16 @@ PolygonSteps steps_of(const Stage& stage) {
 
 // ---- the picture
 
-/// Whether a step has already stored the pixel.
-bool is_stored(const std::vector<WalkStep>& walk, std::size_t step, const Trace& trace, int x,
-               int y) {
-    for (std::size_t i = 0; i <= step; ++i) {
-        if (walk[i].kind == WalkStep::Kind::pixel && walk[i].x == x &&
-            trace.scanlines[walk[i].line].y == y)
-            return true;
-    }
-    return false;
-}
+/// Not 0 where a pixel has its colour already.
+using StoredPixels = raster::Plane<std::uint8_t>;
 
 /// Each pixel of the grid as a square, in the engine's own colours as far as they are stored.
-raster::Image8 enlarged(const raster::Image8& picture, int cell,
-                        const std::vector<std::vector<char>>& stored) {
+raster::Image8 enlarged(const raster::Image8& picture, int cell, const StoredPixels& stored) {
     raster::Image8 large(grid.width * cell, grid.height * cell, 3);
     for (int y = 0; y < grid.height; ++y) {
         for (int x = 0; x < grid.width; ++x) {
             const auto pixel = picture.pixel(x, y);
-            const bool shown = stored[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
+            const bool shown = stored.at(x, y) != 0;
             const apps::Color8 color = shown ? apps::Color8{pixel[0], pixel[1], pixel[2]} : paper;
             apps::fill_box(large, x * cell, y * cell, cell, cell, grid_line);
             apps::fill_box(large, x * cell, y * cell, cell - 1, cell - 1, color);
@@ -108,13 +100,13 @@ raster::Image8 enlarged(const raster::Image8& picture, int cell,
     return large;
 }
 
-std::vector<std::vector<char>> stored_pixels(const std::vector<WalkStep>& walk, std::size_t step,
-                                             const Trace& trace) {
-    std::vector<std::vector<char>> stored(grid.height, std::vector<char>(grid.width, 0));
-    for (int y = 0; y < grid.height; ++y) {
-        for (int x = 0; x < grid.width; ++x)
-            stored[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] =
-                is_stored(walk, step, trace, x, y) ? 1 : 0;
+/// By the steps up to this one.
+StoredPixels stored_pixels(const std::vector<WalkStep>& walk, std::size_t step,
+                           const Trace& trace) {
+    StoredPixels stored(grid, 0);
+    for (std::size_t i = 0; i <= step; ++i) {
+        if (walk[i].kind == WalkStep::Kind::pixel)
+            stored.at(walk[i].x, trace.scanlines[walk[i].line].y) = 1;
     }
     return stored;
 }

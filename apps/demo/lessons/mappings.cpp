@@ -3,6 +3,7 @@
 
 #include "apps/demo/lessons.h"
 #include "apps/demo/measure.h"
+#include "apps/demo/settings.h"
 #include "apps/demo/stage.h"
 #include "raster/compare.h"
 
@@ -65,7 +66,7 @@ std::vector<Number> numbers_of(const Stage& plain, const Stage& dressed) {
 }
 
 bool has_bumps(const Settings& settings) {
-    return surfaces[static_cast<std::size_t>(settings.at("surface"))] == "bump";
+    return word_of(surfaces, settings, "surface") == "bump";
 }
 
 /// Beside the bumps, what they pretend.
@@ -76,8 +77,8 @@ void add_displaced(Screen& screen, raster::Viewport size, const apps::Means& mea
 }
 
 Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& means) {
-    const std::string look = look_of(surfaces[static_cast<std::size_t>(settings.at("surface"))],
-                                     mappings[static_cast<std::size_t>(settings.at("mapping"))]);
+    const std::string look =
+        look_of(word_of(surfaces, settings, "surface"), word_of(mappings, settings, "mapping"));
     Screen screen;
     for (const Body& body : bodies)
         screen.panels.push_back(panel_of(body.key, plain_arguments(body) + look, size, means));

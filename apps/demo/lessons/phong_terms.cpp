@@ -4,7 +4,6 @@
 #include "apps/demo/lessons.h"
 #include "apps/demo/measure.h"
 #include "apps/demo/picked_point.h"
-#include "apps/demo/settings.h"
 #include "apps/demo/stage.h"
 #include "apps/scanlight/text_table.h"
 #include "shading/blinn.h"
