@@ -138,6 +138,9 @@ private:
             for (const std::string& shading : options_.shadings)
                 run(target, stage, plan.name, shading);
         }
+        for (const std::string& shading : options_.shadings)
+            if (ratios_.contains(shading)) std::cout << mean_line(shading, ratios_.at(shading));
+        ratios_.clear();
     }
 
     void run_shadows(raster::Viewport size) {
@@ -164,6 +167,7 @@ private:
         const Outcome outcome = contest(renderer_, target, stage, settings_of(options_, look),
                                         look.coat, options_.rounds);
         disagreements_ += agrees(outcome.agreement) ? 0 : 1;
+        if (!outcome.ours.empty()) ratios_[shading].push_back(median_ratio(outcome));
         print(entry, outcome);
     }
 
@@ -175,6 +179,7 @@ private:
     const PeerOptions& options_;
     render::Renderer renderer_;
     std::ofstream json_;
+    std::map<std::string, Times> ratios_;  // of the scenes, by shading
     int disagreements_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "apps/peers/report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -33,6 +34,10 @@ std::string times_text(const Outcome& outcome) {
 
 }  // namespace
 
+double median_ratio(const Outcome& outcome) {
+    return median(ratios(outcome.theirs, outcome.ours));
+}
+
 std::string table_head(raster::Viewport size, int threads, const std::string& ours,
                        const std::string& theirs) {
     return formatted("\n%s, %d thread%s: Scanlight by %s, %s\n", size_text(size).c_str(), threads,
@@ -50,6 +55,15 @@ std::string table_line(const Entry& entry, const Outcome& outcome) {
     return begin + times_text(outcome) + "  " + pictures;
 }
 
+std::string mean_line(const std::string& shading, const Times& ratios) {
+    double logarithms = 0.0;
+    for (const double ratio : ratios)
+        logarithms += std::log(ratio);
+    return formatted("%-22s %9zu  %-13s %9s %12s %7.2f\n", "mean of so many scenes", ratios.size(),
+                     shading.c_str(), "", "",
+                     std::exp(logarithms / static_cast<double>(ratios.size())));
+}
+
 std::string json_line(const Entry& entry, const Outcome& outcome) {
     nlohmann::ordered_json json{{"width", entry.size.width},
                                 {"height", entry.size.height},
@@ -63,7 +77,7 @@ std::string json_line(const Entry& entry, const Outcome& outcome) {
                                 {"covered_by_one", outcome.agreement.only_one},
                                 {"outline", outcome.agreement.outline},
                                 {"color_difference", outcome.agreement.color_difference}};
-    if (!outcome.ours.empty()) json["ratio"] = median(ratios(outcome.theirs, outcome.ours));
+    if (!outcome.ours.empty()) json["ratio"] = median_ratio(outcome);
     return json.dump() + "\n";
 }
 

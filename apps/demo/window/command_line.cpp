@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <exception>
-#include <filesystem>
 #include <iterator>
 #include <vector>
 
+#include "apps/demo/window/saving.h"
 #include "apps/scanlight/scene_options.h"
 #include "apps/scene/model.h"
 #include "apps/scene/object_keys.h"
@@ -209,10 +209,7 @@ bool say_all(const std::string& arguments, const SceneOptions& options) {
 }
 
 std::string output_of(const SceneOptions& options) {
-    std::string name = std::filesystem::path(options.objects.front().input).stem().string();
-    if (name.starts_with("shape:")) name = name.substr(6);
-    name = name.substr(0, name.find(':'));
-    return shell_word((name.empty() ? "picture" : name) + ".png");
+    return shell_word(stem_of(options.objects.front().input) + ".png");
 }
 
 }  // namespace

@@ -10,17 +10,6 @@ namespace scanlight::apps::window {
 
 namespace {
 
-/// "teapot" of "shape:teapot", "torus" of "torus:48,24", "bunny" of "meshes/bunny.obj".
-std::string stem_of(const SceneOptions& options) {
-    std::string input = options.input;
-    for (const std::string prefix : {"shape:", "scene:"}) {
-        if (input.starts_with(prefix)) input = input.substr(prefix.size());
-    }
-    const std::string stem = std::filesystem::path(input).stem().string();
-    const std::string name = stem.substr(0, stem.find(':'));
-    return name.empty() || name == "-" ? "scanlight" : name;
-}
-
 std::string free_path_of(const std::string& stem, const std::string& ending) {
     std::string path = stem + ending;
     for (int i = 2; std::filesystem::exists(path); ++i)
@@ -30,8 +19,17 @@ std::string free_path_of(const std::string& stem, const std::string& ending) {
 
 }  // namespace
 
+std::string stem_of(std::string input) {
+    for (const std::string prefix : {"shape:", "scene:"}) {
+        if (input.starts_with(prefix)) input = input.substr(prefix.size());
+    }
+    const std::string stem = std::filesystem::path(input).stem().string();
+    const std::string name = stem.substr(0, stem.find(':'));
+    return name.empty() || name == "-" ? "picture" : name;
+}
+
 std::string free_path(const SceneOptions& options, const std::string& ending) {
-    return free_path_of(stem_of(options), ending);
+    return free_path_of(stem_of(options.input), ending);
 }
 
 std::string save_lesson(const demo::Screen& screen, const LessonState& state) {
