@@ -9,6 +9,19 @@
 
 namespace scanlight::render {
 
+/// What a texture says at a pixel.
+struct TextureAtPixel {
+    const char* slot;             // "diffuse", "bump" and so on
+    std::optional<glm::vec2> uv;  // its place on the texture; none of one that fills space
+    glm::vec3 color;              // linear
+};
+
+/// The terms of Cook and Torrance at a pixel.
+struct FacetTerms {
+    float D, G;
+    glm::vec3 F;
+};
+
 /// What one light adds to the intensity at a pixel, and what it is reckoned from. World space.
 struct LightAtPixel {
     glm::vec3 L;           // unit, towards the light
@@ -20,6 +33,8 @@ struct LightAtPixel {
     glm::vec3 highlight;   // the rest of what the model adds, without shadow
     float share;           // of the light, that reaches the pixel: 0 in shadow
     std::int32_t stencil;  // in how many shadow volumes the surface lies; 0 where none are counted
+    std::optional<FacetTerms> facets;  // of Cook and Torrance's model, where light and eye are
+                                       // before the surface
 };
 
 /// All that a pixel was lit by. `intensity` is that of Phong shading, linear, and the picture's own
@@ -30,18 +45,19 @@ struct PixelLight {
     raster::Depth depth;
     float distance;   // from the eye along the view, world units
     glm::vec3 point;  // world space
-    glm::vec3 N;      // unit
+    glm::vec3 N;      // unit, as bump and normal map leave it
     glm::vec3 V;      // unit, towards the eye
-    glm::vec3 K_a, K_d, K_s;
-    double exponent;    // n
-    glm::vec3 ambient;  // I_a K_a, and what the surface sends of its own
+    std::optional<glm::vec3> vertex_color;
+    std::vector<TextureAtPixel> textures;
+    glm::vec3 K_a, K_d, K_s;  // with what colours and textures make of them
+    double exponent;          // n
+    glm::vec3 ambient;        // I_a K_a, what the surface sends of its own, and its surroundings
     std::vector<LightAtPixel> lights;
     glm::vec3 intensity;  // the sum
 };
 
 /// Finds out what is at pixels of one picture. Each buffer that this takes is drawn once, by the
-/// textbook's walk. Materials are those of the objects: of textures, vertex colours and
-/// surroundings it knows nothing, and it takes all surfaces for opaque.
+/// textbook's walk. It takes all surfaces for opaque.
 class PixelLights {
 public:
     PixelLights(Scene scene, const Settings& settings, raster::Viewport viewport);
@@ -55,14 +71,14 @@ private:
         std::size_t face;
     };
     Place place_of(std::uint32_t item) const;
-    LightAtPixel light_at(const PixelLight& pixel, const shading::Material<float>& material,
-                          const Settings& settings, std::size_t light, int x, int y) const;
+    template <class Material>
+    void light(PixelLight& pixel, const Material& material, const Settings& settings, int x,
+               int y) const;
 
     Scene scene_;
     Settings settings_;
     raster::Viewport viewport_;
     raster::Plane<raster::Depth> depth_;
-    raster::Plane<glm::vec3> normals_;
     raster::Plane<std::uint32_t> items_;
     raster::Plane<std::uint32_t> ids_;
     raster::Plane<float> distances_;

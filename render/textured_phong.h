@@ -68,20 +68,25 @@ public:
         return polygon;
     }
 
-    raster::Rgba shade(const raster::Fragment<attribute_count>& fragment,
-                       const Polygon& polygon) const {
+    /// What is to be lit.
+    TexturedSurface<float> surface(const raster::Fragment<attribute_count>& fragment,
+                                   const Polygon& polygon) const {
         const auto& a = fragment.attributes;
         const glm::vec3 screen = frame_.screen_at(fragment.x, fragment.y, fragment.depth);
         const glm::vec3 point = point_behind(frame_.world_from_screen, screen);
         const glm::vec3 normal = shading::unit_or(glm::vec3(a[0], a[1], a[2]), polygon.normal);
         const float inverse_w = 1.0f / point_component(frame_.world_from_screen, 3, screen);
-        const TexturedSurface<float> surface{
-            {point, normal, frame_.view_from(point)},
-            {point, own_place(a, polygon), pixel_step(polygon.steps.right, point, inverse_w),
-             pixel_step(polygon.steps.down, point, inverse_w)},
-            color(a),
-            polygon.outward};
-        return textured_pixel(surface, polygon.material, polygon.textures, frame_, settings_);
+        return {{point, normal, frame_.view_from(point)},
+                {point, own_place(a, polygon), pixel_step(polygon.steps.right, point, inverse_w),
+                 pixel_step(polygon.steps.down, point, inverse_w)},
+                color(a),
+                polygon.outward};
+    }
+
+    raster::Rgba shade(const raster::Fragment<attribute_count>& fragment,
+                       const Polygon& polygon) const {
+        return textured_pixel(surface(fragment, polygon), polygon.material, polygon.textures,
+                              frame_, settings_);
     }
 
 private:

@@ -235,6 +235,22 @@ TEST_F(LiveWindow, TheLoupeTellsOfThePixelUnderTheMouse) {
     keep(person, "loupe");
 }
 
+TEST_F(LiveWindow, TheLoupeTellsOfTexturesAndFacets) {
+    Person person(
+        "sphere --illumination cook-torrance --roughness 0.3 --material ks=0.5 "
+        "--texture diffuse=checker --texture bump=waves",
+        "600x900");
+    person.type(SDLK_l);
+    person.move({280, 480});
+    const auto& painter = person.window().painter(View::left);
+    const auto pixel = PixelReader().at(painter, person.state().current(), 280, 480);
+    ASSERT_TRUE(pixel);
+    EXPECT_EQ(pixel->textures.size(), 2u);
+    ASSERT_TRUE(pixel->lights.front().facets);
+    EXPECT_GT(pixel->lights.front().facets->D, 0.0f);
+    keep(person, "loupe-textures");
+}
+
 TEST_F(LiveWindow, TheSameEventsMakeTheSamePixels) {
     const auto seen = [] {
         Person person("teapot");

@@ -2,7 +2,6 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -72,6 +71,17 @@ void row(const char* symbol, const glm::vec3& v) {
     }
 }
 
+/// Its colour and, of one that does not fill space, where this is on it.
+void draw_texture(const render::TextureAtPixel& texture) {
+    row((std::string(texture.slot) + " map").c_str(), texture.color);
+    if (texture.uv) row("u, v", number_text(texture.uv->x) + "   " + number_text(texture.uv->y));
+}
+
+void draw_facets(const render::FacetTerms& facets) {
+    row("D", number_text(facets.D) + "   G " + number_text(facets.G));
+    row("F", facets.F);
+}
+
 void draw_place(const PickedPixel& picked, const render::PixelLight& pixel) {
     row("pixel", std::to_string(picked.x) + ", " + std::to_string(picked.y) + "   polygon " +
                      std::to_string(pixel.polygon));
@@ -80,6 +90,9 @@ void draw_place(const PickedPixel& picked, const render::PixelLight& pixel) {
     row("point", pixel.point);
     row("N", pixel.N);
     row("V", pixel.V);
+    if (pixel.vertex_color) row("vertices", *pixel.vertex_color);
+    for (const render::TextureAtPixel& texture : pixel.textures)
+        draw_texture(texture);
     row("K_d", pixel.K_d);
     row("K_s", pixel.K_s);
     row("n", number_text(pixel.exponent));
@@ -110,6 +123,7 @@ void draw_light(const render::PixelLight& pixel, const render::LightAtPixel& lig
     row("I_p", light.intensity);
     row("diffuse", light.body);
     row("specular", light.highlight);
+    if (light.facets) draw_facets(*light.facets);
     row("lit", reach_of(light, options));
 }
 
@@ -118,22 +132,10 @@ std::string bytes_text(raster::PackedPixel pixel) {
            std::to_string(pixel >> 16 & 0xff);
 }
 
-/// Whether surfaces have more than their materials' colours.
-bool has_paint(const render::Scene& scene) {
-    const auto is_painted = [](const render::Object& object) {
-        return object.mesh->vertices.has_colors() ||
-               std::ranges::any_of(object.textures, &shading::SurfaceTextures::any);
-    };
-    return scene.mirrored != nullptr || scene.diffuse != nullptr ||
-           std::ranges::any_of(scene.objects, is_painted);
-}
-
 /// What the numbers leave out.
-void draw_notes(const render::Scene& scene, const SceneOptions& options) {
+void draw_notes(const SceneOptions& options) {
     if (options.settings.shading != render::Shading::phong)
         ImGui::TextDisabled("Terms as Phong shading has them; this view interpolates.");
-    if (has_paint(scene))
-        ImGui::TextDisabled("Terms without textures, vertex colours and surroundings.");
     if (options.settings.grid > 1)
         ImGui::TextDisabled("Of the pixel's centre; this view averages samples.");
 }
@@ -153,12 +155,12 @@ void draw_numbers(const PickedPixel& picked, const std::optional<render::PixelLi
     }
     row("sRGB", bytes_text(pixels.at(picked.x, picked.y)));
     ImGui::EndTable();
-    if (pixel) draw_notes(painter.scene(), options);
+    if (pixel) draw_notes(options);
 }
 
-/// In the lower corner that is farther from the pixel.
-void place_window(const PickedPixel& picked, raster::Viewport canvas) {
-    const bool is_left = picked.x * 2 > canvas.width;
+/// In the lower corner that is farther from the point.
+void place_window(Point point, raster::Viewport canvas) {
+    const bool is_left = point.x * 2 > canvas.width;
     const auto x = is_left ? 10.0f : static_cast<float>(canvas.width) - 10.0f;
     ImGui::SetNextWindowPos({x, static_cast<float>(canvas.height) - 10.0f}, ImGuiCond_Always,
                             {is_left ? 0.0f : 1.0f, 1.0f});
@@ -172,7 +174,7 @@ std::optional<PickedPixel> picked_pixel(const WindowState& state) {
     const auto pane = pane_at(state, *point);
     if (!pane) return std::nullopt;
     return PickedPixel{pane->view, static_cast<int>(point->x) - pane->picture.x,
-                       static_cast<int>(point->y) - pane->picture.y};
+                       static_cast<int>(point->y) - pane->picture.y, *point};
 }
 
 std::optional<render::PixelLight> PixelReader::at(const Painter& painter,
@@ -187,7 +189,7 @@ std::optional<render::PixelLight> PixelReader::at(const Painter& painter,
 
 void draw_loupe(const PickedPixel& picked, const std::optional<render::PixelLight>& pixel,
                 const Painter& painter, const SceneOptions& options, raster::Viewport canvas) {
-    place_window(picked, canvas);
+    place_window(picked.at, canvas);
     ImGui::SetNextWindowBgAlpha(0.93f);
     ImGui::Begin("loupe", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |

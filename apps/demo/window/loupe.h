@@ -15,6 +15,7 @@ struct PickedPixel {
     View view = View::left;
     int x = 0;
     int y = 0;
+    Point at;  // of the canvas
 };
 
 /// The pixel that is held, or that under the mouse; none where no picture is.
