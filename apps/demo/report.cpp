@@ -54,6 +54,13 @@ std::string commands_text(const Screen& screen) {
     return text;
 }
 
+std::string places_text(const Lesson& lesson, Language language) {
+    std::string text = texts().of("page", "source-head", language) + ":\n";
+    for (const SourcePlace& place : lesson.places)
+        text += "  " + place.file + ": " + place.function + "\n";
+    return text + "\n";
+}
+
 std::string files_text(const Lesson& lesson, Language language) {
     std::string text;
     for (const BroughtFile& file : lesson.files)
@@ -79,9 +86,10 @@ std::string lesson_text(const Lesson& lesson, const Settings& settings, const Sc
         return texts().of(lesson.name, key, language) + "\n\n";
     };
     std::string text = words("title") + words("intro") + words("notice") + words("question") +
-                       words("letters") + remark_text(lesson, language) +
+                       words("answer") + words("letters") + remark_text(lesson, language) +
                        controls_text(lesson, settings, language) + "\n" +
-                       numbers_text(lesson, screen, language) + "\n";
+                       numbers_text(lesson, screen, language) + "\n" +
+                       places_text(lesson, language);
     for (const Table& table : screen.tables)
         text += table_text(lesson, table, language);
     return text + commands_text(screen) + files_text(lesson, language);

@@ -15,6 +15,7 @@
 #include "apps/scanlight/print_data.h"
 #include "apps/scanlight/progress.h"
 #include "apps/scanlight/statistics.h"
+#include "apps/scene/left_out.h"
 #include "apps/scene/scene_setup.h"
 #include "apps/scene/stopwatch.h"
 #include "apps/scene/usage_error.h"
@@ -247,6 +248,8 @@ void render(RenderOptions& options) {
     for (const auto& warning : warnings_of(models))
         say(options, "scanlight: " + warning);
     const render::Scene scene = scene_of(models, options.scene);
+    for (const auto& sentence : left_out(scene, options.scene))
+        say(options, "scanlight: " + sentence);
 
     Stopwatch stopwatch;
     progress.now("drawing " + options.scene.input);

@@ -15,6 +15,7 @@
 #include "apps/scanlight/progress.h"
 #include "apps/scanlight/scene_options.h"
 #include "apps/scene/camera_path.h"
+#include "apps/scene/left_out.h"
 #include "apps/scene/scene_setup.h"
 #include "apps/scene/usage_error.h"
 #include "raster/gif.h"
@@ -127,6 +128,8 @@ void turntable(const TurntableOptions& options) {
     for (const auto& warning : warnings_of(models))
         if (!options.quiet) std::fprintf(stderr, "scanlight: %s\n", warning.c_str());
     const render::Scene unseen = unseen_scene_of(models, options.scene);
+    for (const auto& sentence : left_out(unseen, options.scene))
+        if (!options.quiet) std::fprintf(stderr, "scanlight: %s\n", sentence.c_str());
     const CameraPath path(models, options.scene, options.orbit);
     const FrameSink sink = is_gif(options) ? gif_sink(options) : picture_sink(options);
     for (int frame = 0; frame < options.frames; ++frame) {

@@ -43,8 +43,10 @@ void refuse_at(const std::string& file, const Place& place, const std::string& r
 
 std::string suggestion(const std::string& name, const std::vector<std::string>& known) {
     if (known.empty()) return "";
+    // A name that goes on where a short one ends is nearer than any other: 'fov_deg' to 'fov'.
     const auto nearest = std::ranges::min_element(known, {}, [&](const std::string& other) {
-        return mesh::edit_distance(std::string_view(name).substr(0, 64), other);
+        const bool goes_on = name.size() >= 3 && other.starts_with(name);
+        return goes_on ? 0 : mesh::edit_distance(std::string_view(name).substr(0, 64), other);
     });
     return "; did you mean '" + *nearest + "'?";
 }

@@ -197,27 +197,28 @@ std::vector<Key<MaterialOptions>> facet_keys() {
 /// What lets light through a surface, or throws it back as a mirror.
 std::vector<Key<MaterialOptions>> optics_keys(const std::string& fallback) {
     using O = MaterialOptions;
-    return {optional_key<O>(
-                "mirror", color(), [](auto& o) -> auto& { return o.mirror; }, fallback,
-                "What it mirrors of the environment, in Phong shading."),
-            optional_key<O>(
-                "refract", color(), [](auto& o) -> auto& { return o.refracted; }, fallback,
-                "What of the environment is seen through it, bent by `ior`, in Phong shading."),
-            optional_key<O>(
-                "opacity", float_number(0.0, 1.0), [](auto& o) -> auto& { return o.opacity; },
-                fallback, "1 hides what lies behind, 0 shows all of it."),
-            optional_key<O>(
-                "tf", color(), [](auto& o) -> auto& { return o.filter; }, fallback,
-                "What is left of light that comes through, where `opacity` is not 1."),
-            optional_key<O>(
-                "kdt", color(), [](auto& o) -> auto& { return o.transmitted_diffuse; }, fallback,
-                "For hall: diffuse transmission K_dt of light from behind."),
-            optional_key<O>(
-                "kt", color(), [](auto& o) -> auto& { return o.transmitted_specular; }, fallback,
-                "For hall: specular transmission K_t."),
-            optional_key<O>(
-                "nt", number(0.0, 1e30), [](auto& o) -> auto& { return o.transmitted_exponent; },
-                fallback, "For hall: exponent of the transmitted highlight.")};
+    return {
+        optional_key<O>(
+            "mirror", color(), [](auto& o) -> auto& { return o.mirror; }, fallback,
+            "What it mirrors of the environment, in Phong shading."),
+        optional_key<O>(
+            "refract", color(), [](auto& o) -> auto& { return o.refracted; }, fallback,
+            "What of the environment is seen through it, bent by `ior`, in Phong shading."),
+        optional_key<O>(
+            "opacity", float_number(0.0, 1.0), [](auto& o) -> auto& { return o.opacity; }, fallback,
+            "1 hides what lies behind, 0 shows all of it; what is not 1 casts no shadow."),
+        optional_key<O>(
+            "tf", color(), [](auto& o) -> auto& { return o.filter; }, fallback,
+            "What is left of light that comes through, where `opacity` is not 1."),
+        optional_key<O>(
+            "kdt", color(), [](auto& o) -> auto& { return o.transmitted_diffuse; }, fallback,
+            "For hall: diffuse transmission K_dt of light from behind."),
+        optional_key<O>(
+            "kt", color(), [](auto& o) -> auto& { return o.transmitted_specular; }, fallback,
+            "For hall: specular transmission K_t."),
+        optional_key<O>(
+            "nt", number(0.0, 1e30), [](auto& o) -> auto& { return o.transmitted_exponent; },
+            fallback, "For hall: exponent of the transmitted highlight.")};
 }
 
 /// Colours and highlight.

@@ -61,10 +61,17 @@ MaterialOptions surface_of(const ObjectOptions& object, const SceneOptions& opti
     return laid_over(surface, options.material);
 }
 
+/// Whether a texture brings an object's colour.
+bool is_coloured(const ObjectOptions& object, const MaterialOptions& surface,
+                 const SceneOptions& options) {
+    const auto shading = object.own.shading.value_or(options.settings.shading);
+    return shading == render::Shading::phong && !surface.textures[TextureSlot::diffuse].empty();
+}
+
 std::vector<shading::Material<float>> materials_of(const mesh::Mesh& mesh,
-                                                   const MaterialOptions& surface) {
+                                                   const MaterialOptions& surface,
+                                                   bool is_coloured) {
     auto materials = render::shading_materials(mesh.materials);
-    const bool is_coloured = !surface.textures[TextureSlot::diffuse].empty();
     if (!has_own_materials(mesh)) materials.front() = is_coloured ? colorless_clay() : clay();
     for (auto& material : materials)
         material = with(material, surface);
@@ -107,7 +114,8 @@ std::vector<render::Object> objects_of(const Models& models, const SceneOptions&
         const ObjectOptions& object = options.objects[i];
         const Model& model = *models.of_object[i];
         const MaterialOptions surface = surface_of(object, options);
-        objects.push_back({&model.mesh, materials_of(model.mesh, surface),
+        const bool has_color = is_coloured(object, surface, options);
+        objects.push_back({&model.mesh, materials_of(model.mesh, surface, has_color),
                            matrix_of(object.placement), nullptr,
                            textures_on(model, surface.textures, options, images), object.own});
     }

@@ -40,7 +40,7 @@ const std::vector<BadScene>& bad_scenes() {
         // names
         {"[lights]\n", "1:2: unknown key 'lights' in a scene file; did you mean 'light'?"},
         {"[[light]]\ndirection = [0, 0, 1]\ncolour = 1\n", "3:1: unknown key 'colour' in [[light]]; did you mean 'color'?"},
-        {"[camera]\nfov = 30\n", "2:1: unknown key 'fov' in [camera]; did you mean 'eye'?"},
+        {"[camera]\nfov = 30\n", "2:1: unknown key 'fov' in [camera]; did you mean 'fov_deg'?"},
         {"[render]\n\"si\\nze\" = 1\n", "2:1: unknown key 'si?ze' in [render]; did you mean 'size'?"},
         {"zoom = 2\n", "1:1: unknown key 'zoom' in a scene file; did you mean 'light'?"},
         {"[camera.zoom]\n", "1:1: 'zoom': expected a number from 0.001 to 1000, not a table"},

@@ -103,12 +103,24 @@ Parameter by_material(Parameter p, Actual actual) {
 
 // ---- groups
 
+/// Of a light whose fall-off knows k.
+bool has_soft_fall_off(const SceneOptions& options) {
+    return std::ranges::any_of(lights_in(options), [](const LightOption& light) {
+        return light.falloff == shading::Falloff::inverse_plus_k;
+    });
+}
+
 std::vector<Parameter> light_models() {
     const std::string g = "Shading";
     return {
-        choice(g, "render", "shading"), choice(g, "render", "illumination"),
+        choice(g, "render", "shading"),
+        choice(g, "render", "illumination"),
         of(slider(g, "render", "gouraud71_k", "k", {0.05, 20.0, Scale::logarithmic}), {gouraud71}),
-        choice(g, "render", "distances"), color(g, "render", "ambient", "I_a", "ambient light")};
+        choice(g, "render", "distances"),
+        color(g, "render", "ambient", "I_a", "ambient light"),
+        where(has_soft_fall_off,
+              named(slider(g, "render", "falloff_k", "k", {0.05, 20.0, Scale::logarithmic}),
+                    "k of the fall-off"))};
 }
 
 std::vector<Parameter> colors() {
@@ -215,23 +227,40 @@ std::vector<Parameter> shadows() {
             where(has_shadow_maps, filter)};
 }
 
+/// A number of a texture, where there is one.
+Parameter texture_slider(const std::string& name, const std::string& symbol, const Knob& knob,
+                         Range range) {
+    Parameter p{"Textures", name, symbol, knob};
+    p.control = Control::slider;
+    p.low = range.low;
+    p.high = range.high;
+    p.scale = range.scale;
+    return where([knob](const SceneOptions& o) { return knob.get(o).has_value(); }, p);
+}
+
+bool has_marble(const SceneOptions& options) {
+    return text_of(*pattern_knob(TextureSlot::diffuse).get(options)) == "marble";
+}
+
 /// Of what a slot's texture is made, and how it lies on the surface.
 std::vector<Parameter> textures() {
     std::vector<Parameter> all;
-    const auto where_said = [](const Parameter& p) {
-        return where([knob = p.knob](const SceneOptions& o) { return knob.get(o).has_value(); }, p);
-    };
     for (const TextureSlot slot : {TextureSlot::diffuse, TextureSlot::bump}) {
         Parameter pattern{"Textures", word_of(slot) + " texture", "", pattern_knob(slot)};
         pattern.words = words_in(pattern.knob);
         Parameter mapping{"Textures", word_of(slot) + " mapping", "", mapping_knob(slot)};
         mapping.words = words_in(mapping.knob);
-        Parameter count{"Textures", word_of(slot) + " count", "", count_knob(slot)};
-        count.control = Control::slider;
-        count.low = 1.0;
-        count.high = 64.0;
-        all.insert(all.end(), {pattern, where_said(mapping), where_said(count)});
+        mapping =
+            where([knob = mapping.knob](const SceneOptions& o) { return knob.get(o).has_value(); },
+                  mapping);
+        all.insert(all.end(),
+                   {pattern, mapping,
+                    texture_slider(word_of(slot) + " count", "", count_knob(slot), {1.0, 64.0})});
     }
+    all.push_back(where(has_marble, texture_slider("marble's bend", "",
+                                                   bend_knob(TextureSlot::diffuse), {0.0, 10.0})));
+    all.push_back(
+        texture_slider("height of the bumps", "F", height_knob(TextureSlot::bump), {-0.5, 0.5}));
     all.push_back(named(check("Textures", "render", "own_textures"), "the mesh's own"));
     return all;
 }

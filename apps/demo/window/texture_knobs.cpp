@@ -87,4 +87,12 @@ Knob count_knob(TextureSlot slot) {
     return texture_knob(slot, "count");
 }
 
+Knob bend_knob(TextureSlot slot) {
+    return texture_knob(slot, "bend");
+}
+
+Knob height_knob(TextureSlot slot) {
+    return texture_knob(slot, "height");
+}
+
 }  // namespace scanlight::apps::window

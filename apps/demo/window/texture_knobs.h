@@ -13,5 +13,7 @@ Knob pattern_knob(TextureSlot slot);
 // Without a texture there, these have no value and take none.
 Knob mapping_knob(TextureSlot slot);
 Knob count_knob(TextureSlot slot);
+Knob bend_knob(TextureSlot slot);
+Knob height_knob(TextureSlot slot);
 
 }  // namespace scanlight::apps::window

@@ -11,6 +11,7 @@
 #include "apps/demo/window/round.h"
 #include "apps/demo/window/saving.h"
 #include "apps/demo/window/translate.h"
+#include "apps/scene/left_out.h"
 #include "apps/scene/stopwatch.h"
 
 namespace scanlight::apps::window {
@@ -195,6 +196,8 @@ PanelNews Window::news() const {
     news.message = message_;
     news.picture_milliseconds = milliseconds_;
     if (shown.drawn().empty()) return news;
+    const auto unseen = left_out(shown.scene(), drawn_.current());
+    if (news.message.empty() && !unseen.empty()) news.message = unseen.front();
     news.polygons = totals_of(shown.models()).report.drawn;
     const auto& objects = shown.scene().objects;
     if (!objects.empty() && !objects.front().materials.empty())
