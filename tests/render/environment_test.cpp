@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
+#include <optional>
 
 #include "render/cube_map.h"
 #include "render/light_view.h"
@@ -84,6 +86,40 @@ TEST(Environment, WHIT_IsMirroredAltogetherWhereLightCannotEnter) {
     const Found found = compared(0.75);
     EXPECT_LE(100 * found.different, found.shown);
     EXPECT_GT(found.total, 100);
+}
+
+// ---- held against rays
+
+/// Where a ray meets the sphere of radius 1 about the origin first; none where it passes by.
+std::optional<V> hit_by(const V& eye, const V& direction) {
+    const double half = glm::dot(eye, direction);
+    const double inside = half * half - glm::dot(eye, eye) + 1.0;
+    if (inside <= 0.0) return std::nullopt;
+    return eye + direction * (-half - std::sqrt(inside));
+}
+
+TEST(Environment, ENV_IsWhatRaysBackFromATrueSphereMeet) {
+    const mesh::Mesh ball = shape_mesh("sphere:512,256");
+    Scene scene = ball_in_a_room(ball, 1.0);
+    scene.objects.front().materials.front().refracted = glm::vec3(0.0f);
+    const Drawing drawing = draw(scene, {}, size);
+    const Frame frame = frame_of(scene, Distances::finite, size);
+    const V eye = scene.camera.eye;
+    int hits = 0;
+    int different = 0;
+    for_each_pixel(size, [&](int x, int y) {
+        const V far = point_behind(frame.world_from_screen, V(x + 0.5, y + 0.5, 1.0));
+        const V direction = glm::normalize(far - eye);
+        const auto hit = hit_by(eye, direction);
+        if (!hit || drawing.framebuffer.depth.at(x, y) == raster::depth_clear) return;
+        const V S = direction - *hit * (2.0 * glm::dot(direction, *hit));
+        const V met = shading::light_from<double>(*scene.mirrored, S) * mirror;
+        const V drawn(glm::vec3(drawing.framebuffer.color.at(x, y)));
+        ++hits;
+        different += glm::distance(met, drawn) > 4e-3 ? 1 : 0;
+    });
+    EXPECT_GT(hits, 500);
+    EXPECT_LE(100 * different, 3 * hits) << different << " of " << hits;
 }
 
 // ---- drawn by the rasterizer
