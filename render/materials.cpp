@@ -56,12 +56,16 @@ std::vector<shading::Material<float>> shading_materials(
 std::string_view approximation_of(int illum) {
     switch (illum) {
         case 3:
-        case 5:
         case 8:
             return "it mirrors surroundings, if there are any, and no other objects";
+        case 5:
+            return "it mirrors surroundings, if there are any, alike at every angle, and no other "
+                   "objects";
+        case 7:
+            return "it mirrors surroundings, if there are any, alike at every angle, and does not "
+                   "refract";
         case 4:
         case 6:
-        case 7:
         case 9:
             return "it mirrors surroundings, if there are any, and does not refract";
         case 10:
