@@ -112,8 +112,12 @@ void check_output(const TurntableOptions& options) {
 
 // ---- frames
 
+/// "[=====               ] drawing frame 4 of 16": the bar is what is done.
 std::string counted(int frame, int frames) {
-    return "drawing frame " + std::to_string(frame + 1) + " of " + std::to_string(frames);
+    constexpr std::size_t length = 20;
+    const auto done = length * static_cast<std::size_t>(frame) / static_cast<std::size_t>(frames);
+    return "[" + std::string(done, '=') + std::string(length - done, ' ') + "] drawing frame " +
+           std::to_string(frame + 1) + " of " + std::to_string(frames);
 }
 
 void turntable(const TurntableOptions& options) {
