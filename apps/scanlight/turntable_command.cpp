@@ -112,7 +112,7 @@ void check_output(const TurntableOptions& options) {
 
 // ---- frames
 
-/// "[=====               ] drawing frame 4 of 16": the bar is what is done.
+/// "[===                 ] drawing frame 4 of 16": the bar is what is done.
 std::string counted(int frame, int frames) {
     constexpr std::size_t length = 20;
     const auto done = length * static_cast<std::size_t>(frame) / static_cast<std::size_t>(frames);
