@@ -1,11 +1,17 @@
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
+
+#include <glm/geometric.hpp>
 
 #include "apps/demo/lessons.h"
 #include "apps/demo/measure.h"
 #include "apps/demo/settings.h"
 #include "apps/demo/stage.h"
 #include "raster/compare.h"
+#include "render/pixel_light.h"
+#include "shading/reflection.h"
 
 namespace scanlight::demo {
 
@@ -65,8 +71,19 @@ std::vector<Number> numbers_of(const Stage& plain, const Stage& dressed) {
             {"changed", static_cast<double>(changed), 0, "px"}};
 }
 
-bool has_bumps(const Settings& settings) {
-    return word_of(surfaces, settings, "surface") == "bump";
+/// What a pixel of the sphere is looked up by: its place on the texture, its distance from the axis
+/// of the wood, or where it mirrors.
+std::vector<Number> numbers_at(const Stage& sphere, const Pixel& pixel, raster::Viewport size) {
+    const render::PixelLights lights(sphere.scene(), sphere.options().settings, size);
+    const auto seen = lights.at(pixel.x, pixel.y);
+    if (!seen) return {};
+    if (seen->textures.empty()) {
+        const glm::vec3 S = shading::reflected(seen->V, seen->N);
+        return {{"s-x", S.x, 3}, {"s-y", S.y, 3}, {"s-z", S.z, 3}};
+    }
+    const auto& uv = seen->textures.front().uv;
+    if (uv) return {{"u", uv->x, 3}, {"v", uv->y, 3}};
+    return {{"radius", glm::length(glm::vec2(seen->point.x, seen->point.z)), 3}};
 }
 
 /// Beside the bumps, what they pretend.
@@ -82,10 +99,13 @@ Screen draw(const Settings& settings, raster::Viewport size, const apps::Means& 
     Screen screen;
     for (const Body& body : bodies)
         screen.panels.push_back(panel_of(body.key, plain_arguments(body) + look, size, means));
-    const Body& sphere = bodies.back();
-    if (!has_bumps(settings)) return screen;
-    screen.numbers = numbers_of(Stage(plain_arguments(sphere), size),
-                                Stage(plain_arguments(sphere) + look, size));
+    const Stage plain(plain_arguments(bodies.back()), size);
+    const Stage sphere(plain_arguments(bodies.back()) + look, size);
+    const Pixel pixel{size.width * 45 / 100, size.height * 40 / 100};
+    screen.numbers = numbers_at(sphere, pixel, size);
+    screen.panels.back().marks = {mark_at(pixel)};
+    if (word_of(surfaces, settings, "surface") != "bump") return screen;
+    std::ranges::copy(numbers_of(plain, sphere), std::back_inserter(screen.numbers));
     add_displaced(screen, size, means);
     return screen;
 }
