@@ -35,6 +35,19 @@ struct Stage {
     }
 };
 
+/// That the terms of each pixel add up to the picture's.
+void expect_sums(const Scene& scene, const Settings& settings) {
+    const Drawing drawing = draw(scene, settings, size);
+    const PixelLights lights(scene, settings, size);
+    for_each_pixel(size, [&](int x, int y) {
+        const auto pixel = lights.at(x, y);
+        if (!pixel) return;
+        const auto& color = drawing.framebuffer.color.at(x, y);
+        for (int k = 0; k < 3; ++k)
+            ASSERT_NEAR(pixel->intensity[k], color[k], close_enough) << x << ' ' << y;
+    });
+}
+
 TEST(PixelLight, TermsAddUpToThePicture) {
     const Stage stage;
     for (const auto model : all_models) {
@@ -42,15 +55,7 @@ TEST(PixelLight, TermsAddUpToThePicture) {
             Settings settings;
             settings.illumination = model;
             settings.shadows = shadows;
-            const Drawing drawing = draw(stage.scene, settings, size);
-            const PixelLights lights(stage.scene, settings, size);
-            for_each_pixel(size, [&](int x, int y) {
-                const auto pixel = lights.at(x, y);
-                if (!pixel) return;
-                const auto& color = drawing.framebuffer.color.at(x, y);
-                for (int k = 0; k < 3; ++k)
-                    ASSERT_NEAR(pixel->intensity[k], color[k], close_enough) << x << ' ' << y;
-            });
+            expect_sums(stage.scene, settings);
         }
     }
 }
@@ -99,15 +104,7 @@ TEST(PixelLight, TermsAddUpWithColoursTexturesAndSurroundings) {
     for (const auto model : all_models) {
         Settings settings;
         settings.illumination = model;
-        const Drawing drawing = draw(stage.scene, settings, size);
-        const PixelLights lights(stage.scene, settings, size);
-        for_each_pixel(size, [&](int x, int y) {
-            const auto pixel = lights.at(x, y);
-            if (!pixel) return;
-            const auto& color = drawing.framebuffer.color.at(x, y);
-            for (int k = 0; k < 3; ++k)
-                ASSERT_NEAR(pixel->intensity[k], color[k], close_enough) << x << ' ' << y;
-        });
+        expect_sums(stage.scene, settings);
     }
 }
 

@@ -227,6 +227,11 @@ std::vector<Parameter> shadows() {
             where(has_shadow_maps, filter)};
 }
 
+/// Where the knob has a value.
+Parameter where_said(const Parameter& p) {
+    return where([knob = p.knob](const SceneOptions& o) { return knob.get(o).has_value(); }, p);
+}
+
 /// A number of a texture, where there is one.
 Parameter texture_slider(const std::string& name, const std::string& symbol, const Knob& knob,
                          Range range) {
@@ -235,7 +240,7 @@ Parameter texture_slider(const std::string& name, const std::string& symbol, con
     p.low = range.low;
     p.high = range.high;
     p.scale = range.scale;
-    return where([knob](const SceneOptions& o) { return knob.get(o).has_value(); }, p);
+    return where_said(p);
 }
 
 bool has_marble(const SceneOptions& options) {
@@ -250,11 +255,8 @@ std::vector<Parameter> textures() {
         pattern.words = words_in(pattern.knob);
         Parameter mapping{"Textures", word_of(slot) + " mapping", "", mapping_knob(slot)};
         mapping.words = words_in(mapping.knob);
-        mapping =
-            where([knob = mapping.knob](const SceneOptions& o) { return knob.get(o).has_value(); },
-                  mapping);
         all.insert(all.end(),
-                   {pattern, mapping,
+                   {pattern, where_said(mapping),
                     texture_slider(word_of(slot) + " count", "", count_knob(slot), {1.0, 64.0})});
     }
     all.push_back(where(has_marble, texture_slider("marble's bend", "",

@@ -38,6 +38,11 @@ bool is_of_mouse(const SDL_Event& event) {
     return event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEWHEEL;
 }
 
+std::string first_left_out(const render::Scene& scene, const SceneOptions& options) {
+    const auto sentences = left_out(scene, options);
+    return sentences.empty() ? "" : sentences.front();
+}
+
 /// Whether a person goes on to something else.
 bool begins_anew(const SDL_Event& event) {
     return event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_KEYDOWN;
@@ -196,8 +201,7 @@ PanelNews Window::news() const {
     news.message = message_;
     news.picture_milliseconds = milliseconds_;
     if (shown.drawn().empty()) return news;
-    const auto unseen = left_out(shown.scene(), drawn_.current());
-    if (news.message.empty() && !unseen.empty()) news.message = unseen.front();
+    if (news.message.empty()) news.message = first_left_out(shown.scene(), drawn_.current());
     news.polygons = totals_of(shown.models()).report.drawn;
     const auto& objects = shown.scene().objects;
     if (!objects.empty() && !objects.front().materials.empty())
