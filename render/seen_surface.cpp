@@ -22,7 +22,7 @@ raster::Fragment<N> fragment_of(raster::Span<N> span, int column) {
 template <int N>
 TexturedSurface<float> surface_by(const TexturedPhongTechnique<N>& technique,
                                   const PlacedMesh& mesh, std::size_t face, const Frame& frame,
-                                  const Settings& settings, const PixelPlace& pixel) {
+                                  const Settings& settings, const glm::ivec2& pixel) {
     const ScreenPolygons polygons(mesh, technique, frame, settings);
     const ScreenPolygon<N> polygon = polygons[face];
     const auto common = technique.polygon(face, polygon.side);
@@ -39,7 +39,7 @@ TexturedSurface<float> surface_by(const TexturedPhongTechnique<N>& technique,
 }  // namespace
 
 TexturedSurface<float> seen_surface(const PlacedMesh& mesh, std::size_t face, const Frame& frame,
-                                    const Settings& settings, const PixelPlace& pixel) {
+                                    const Settings& settings, const glm::ivec2& pixel) {
     return with_attribute_count(textured_attributes(*mesh.object).count(), [&](auto n) {
         return surface_by(TexturedPhongTechnique<n>(mesh, frame, settings), mesh, face, frame,
                           settings, pixel);
