@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "raster/project.h"
-
 namespace scanlight::raster {
 
 namespace {
@@ -101,6 +99,15 @@ void sort_into_bands(const Survivors& survivors, const Bands& bands, Bin& bin) {
 }
 
 }  // namespace
+
+Bands bands_in_cache(Viewport size, int numbers) {
+    constexpr std::int64_t cache = 1 << 20;  // half of what today's machines have, or all
+    const std::int64_t bytes_a_row = std::int64_t{4} * numbers * size.width;
+    Bands bands{size.height};
+    while (bands.row_bits > 3 && bytes_a_row << bands.row_bits > cache)
+        --bands.row_bits;
+    return bands;
+}
 
 void fill_bin(const PolygonStreams& streams, CullRule rule, std::size_t begin, std::size_t end,
               const Bands& bands, CullFaces cull, const ClipFace& clip_face, Survivors& scratch,

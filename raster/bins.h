@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "raster/polygon_streams.h"
+#include "raster/project.h"
 #include "raster/rows.h"
 #include "raster/streams.h"
 
@@ -24,6 +25,10 @@ struct Bands {
     }
     int holding(int row) const { return row >> row_bits; }
 };
+
+/// Bands of 32 rows, or of as many as stay in a core's own cache where each pixel keeps so many
+/// 32-bit numbers; but 8 or more.
+Bands bands_in_cache(Viewport size, int numbers);
 
 /// The polygons of one stretch of faces, sorted into bands: a polygon lies in each band it touches,
 /// and in each band they keep their order.

@@ -30,6 +30,15 @@ void put(const raster::Rgba& color, const Target& target, int x, int y) {
 
 }  // namespace
 
+int BandDrawer::Picture::kept() const {
+    int most = 1;
+    for (const ObjectPass& pass : passes)
+        most = std::max(most, at_once ? 1 : 1 + pass.attributes.count);
+    for (const ObjectPass& pass : transparent)
+        most = std::max(most, 3 + pass.attributes.count);
+    return most;
+}
+
 void BandDrawer::begin() {
     band_.counts() = {};
     shaded_ = 0;
@@ -72,12 +81,7 @@ void BandDrawer::store_means(raster::Rows rows, int grid, const Target& target) 
 }
 
 void BandDrawer::draw_pixels(const Picture& picture, int width, raster::Rows rows, int number) {
-    int kept = 1;
-    for (const ObjectPass& pass : picture.passes)
-        kept = std::max(kept, picture.at_once ? 1 : 1 + pass.attributes.count);
-    for (const ObjectPass& pass : picture.transparent)
-        kept = std::max(kept, 3 + pass.attributes.count);
-    band_.clear(width, rows, kept);
+    band_.clear(width, rows, picture.kept());
     picture.at_once ? draw_lit(picture, number) : draw_then_light(picture, number);
     if (picture.depth != nullptr) copy_depth(*picture.depth);
     if (picture.frame.surroundings != nullptr) draw_surroundings(picture);

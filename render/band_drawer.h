@@ -32,6 +32,9 @@ public:
         std::optional<raster::Encoding> at_once;  // see `light_at_once`
         raster::Plane<raster::Depth>* depth;      // may be null
         std::span<Stencil> stencils;              // one a light, or none
+
+        /// How many numbers a pixel keeps, beside its depth.
+        int kept() const;
     };
 
     /// A picture begins: nothing is counted yet.

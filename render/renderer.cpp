@@ -106,15 +106,15 @@ public:
           target_(target),
           depth_(depth),
           stencils_(stencils),
-          frame_(
-              frame_of(scene, settings.distances, size_in_samples(size_of(target), settings.grid))),
-          bands_{frame_.viewport.height} {}
+          frame_(frame_of(scene, settings.distances,
+                          size_in_samples(size_of(target), settings.grid))) {}
 
     DrawReport draw() {
         DrawReport report;
         auto time = Clock::now();
         place_objects();
         light_vertices();
+        cut_into_bands();
         report.seconds.vertices = lap(time);
         fill_bins();
         report.seconds.bins = lap(time);
@@ -161,6 +161,10 @@ private:
                 most = std::max(most, memory_.path.light_vertices(pass, piece.begin, piece.end));
             });
         pass.unit = unit_for(*std::ranges::max_element(largest));
+    }
+
+    void cut_into_bands() {
+        bands_ = raster::bands_in_cache(frame_.viewport, 1 + picture().kept());
     }
 
     void fill_bins() {
@@ -213,23 +217,12 @@ private:
     void draw_bands() {
         for (BandDrawer& band : memory_.bands)
             band.begin();
-        const auto passes = std::span(memory_.passes);
-        const BandDrawer::Picture picture{memory_.path,
-                                          passes.first(opaque_),
-                                          passes.subspan(opaque_),
-                                          frame_,
-                                          memory_.maps,
-                                          settings_,
-                                          scene_.background,
-                                          target_,
-                                          light_at_once(passes, target_),
-                                          depth_,
-                                          stencils_};
+        const BandDrawer::Picture all = picture();
         memory_.workers.for_each(
             static_cast<std::size_t>(bands_.count()), [&](int worker, std::size_t i) {
                 const int number = static_cast<int>(i);
                 BandDrawer& band = memory_.bands[static_cast<std::size_t>(worker)];
-                band.draw(picture, frame_.viewport.width, bands_[number], number);
+                band.draw(all, frame_.viewport.width, bands_[number], number);
             });
     }
 
@@ -246,6 +239,22 @@ private:
         for (const BandDrawer& band : memory_.bands)
             band.add_to(counts);
         return counts;
+    }
+
+    /// As the bands share it.
+    BandDrawer::Picture picture() const {
+        const auto passes = std::span<const ObjectPass>(memory_.passes);
+        return {memory_.path,
+                passes.first(opaque_),
+                passes.subspan(opaque_),
+                frame_,
+                memory_.maps,
+                settings_,
+                scene_.background,
+                target_,
+                light_at_once(passes, target_),
+                depth_,
+                stencils_};
     }
 
     std::span<ObjectPass> opaque() { return std::span(memory_.passes).first(opaque_); }

@@ -89,10 +89,19 @@ Split<Real> split(Real x) noexcept {
     return {std::bit_cast<Real>(bits - (exponent << fraction_bits)), static_cast<Real>(exponent)};
 }
 
-/// The whole number nearest to x, for |x| < 1000.
+/// The whole number nearest to x, to even in a tie, for |x| < 2^22: beside a number whose last bit
+/// is one there is no room for a fraction.
 template <std::floating_point Real>
 Real nearest_whole(Real x) noexcept {
-    return static_cast<Real>(static_cast<int>(x + (x < 0 ? Real(-0.5) : Real(0.5))));
+    constexpr auto last_bit_is_one = static_cast<Real>(3LL << (Format<Real>::fraction_bits - 1));
+    return (x + last_bit_is_one) - last_bit_is_one;
+}
+
+/// The greatest whole number not above x.
+template <class Real>
+Real floored(Real x) noexcept {
+    using std::floor;
+    return floor(x);
 }
 
 /// 2^exponent, for whole exponents from -126 to 127.

@@ -59,13 +59,6 @@ inline std::int32_t select(bool condition, std::int32_t yes, std::int32_t no) no
     return condition ? yes : no;
 }
 
-/// The greatest whole number not above x, as a Real; |x| < 2^31.
-template <class Real>
-Real floored(Real x) noexcept {
-    const Real whole = Wholes<Real>::real(Wholes<Real>::truncated(x));
-    return select(whole > x, whole - Real(1), whole);
-}
-
 /// x - floored(x): in [0, 1), or 1 where x is so little below a whole number that it rounds.
 template <class Real>
 Real fraction(Real x) noexcept {

@@ -27,6 +27,12 @@ TEST(Bands, HoldEachRowOnce) {
     }
 }
 
+TEST(Bands, StayInACoresCache) {
+    EXPECT_EQ(bands_in_cache({1920, 1080}, 2).row_bits, 5);
+    EXPECT_EQ(bands_in_cache({1920, 1080}, 8).row_bits, 4);
+    EXPECT_EQ(bands_in_cache({max_size, max_size}, 12).row_bits, 3);
+}
+
 Bin filled_bin(const laws::RandomStreams& polygons, CullRule rule, const Bands& bands,
                const LanePath& path, std::size_t begin, std::size_t end) {
     Survivors scratch;
