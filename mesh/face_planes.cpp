@@ -8,6 +8,7 @@ namespace scanlight::mesh {
 
 namespace {
 
+/// Of u and v.
 struct Gradients {
     glm::dvec3 u{0.0}, v{0.0};
 };
@@ -37,11 +38,21 @@ Sums sums_of(const Mesh& mesh, std::size_t face) {
     return sums;
 }
 
-glm::vec3 finite_or_zero(const glm::dvec3& v) {
-    const glm::vec3 result(v);
-    const bool is_finite =
-        std::isfinite(result.x) && std::isfinite(result.y) && std::isfinite(result.z);
-    return is_finite ? result : glm::vec3(0.0f);
+bool is_finite(const glm::vec4& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
+}
+
+/// With the mean that `values` have at the corners.
+glm::vec4 linear_function(const Mesh& mesh, std::size_t face, const glm::dvec3& gradient,
+                          const std::vector<float>& values) {
+    double sum = 0.0;
+    for (const std::uint32_t v : mesh.face(face)) {
+        const glm::dvec3 position(mesh.vertices.position(v));
+        sum += static_cast<double>(values[v]) - glm::dot(gradient, position);
+    }
+    const double at_origin = sum / static_cast<double>(mesh.face(face).size());
+    const glm::vec4 function(glm::dvec4(gradient, at_origin));
+    return is_finite(function) ? function : glm::vec4(0.0f);
 }
 
 float offset_of(const Mesh& mesh, std::size_t face) {
@@ -53,14 +64,15 @@ float offset_of(const Mesh& mesh, std::size_t face) {
 
 void find_face_planes(Mesh& mesh) {
     mesh.face_offset.clear();
-    mesh.face_grad_u.clear();
-    mesh.face_grad_v.clear();
+    mesh.face_u.clear();
+    mesh.face_v.clear();
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         mesh.face_offset.push_back(offset_of(mesh, f));
         if (!mesh.vertices.has_uvs()) continue;
         const Sums sums = sums_of(mesh, f);
-        mesh.face_grad_u.push_back(finite_or_zero(sums.gradients.u / sums.area));
-        mesh.face_grad_v.push_back(finite_or_zero(sums.gradients.v / sums.area));
+        const auto& [u, v] = sums.gradients;
+        mesh.face_u.push_back(linear_function(mesh, f, u / sums.area, mesh.vertices.u));
+        mesh.face_v.push_back(linear_function(mesh, f, v / sums.area, mesh.vertices.v));
     }
 }
 

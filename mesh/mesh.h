@@ -7,6 +7,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "mesh/material.h"
 
@@ -38,8 +39,8 @@ struct Mesh {
     std::vector<std::uint32_t> face_begin{0};  // faces + 1 of them, into `corners`
     std::vector<glm::vec3> face_normals;       // unit, one a face
     std::vector<float> face_offset;            // normal . p of each face's first corner
-    std::vector<glm::vec3> face_grad_u;        // of u over each face, per unit of length, object
-    std::vector<glm::vec3> face_grad_v;        //   space; and of v. Empty without uvs.
+    std::vector<glm::vec4> face_u;             // u over each face: its gradient, object space, and
+    std::vector<glm::vec4> face_v;             //   its value at the origin; v. Empty without uvs.
     std::vector<std::uint32_t> face_material;  // one a face
     std::vector<std::uint32_t> face_id;        // the face's place in the file, from 0
     std::vector<Material> materials;           // at least one

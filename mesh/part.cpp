@@ -27,8 +27,8 @@ Mesh part(const Mesh& mesh, std::span<const std::uint32_t> faces) {
     }
     result.face_normals = picked(mesh.face_normals, faces);
     result.face_offset = picked(mesh.face_offset, faces);
-    result.face_grad_u = picked(mesh.face_grad_u, faces);
-    result.face_grad_v = picked(mesh.face_grad_v, faces);
+    result.face_u = picked(mesh.face_u, faces);
+    result.face_v = picked(mesh.face_v, faces);
     result.face_material = picked(mesh.face_material, faces);
     result.face_id = picked(mesh.face_id, faces);
     return result;

@@ -73,11 +73,19 @@ void interpolate_normals(const ObjectPass& pass, raster::Attributes& to) {
         pass.textured.count();  // the last, if there is more than the normal, is the constant 1
 }
 
+/// Most faces then have several pixels, unless they are hidden.
+bool has_large_faces(const ObjectPass& pass) {
+    const raster::Viewport& size = pass.frame->viewport;
+    const auto pixels =
+        static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    return pass.mesh().face_count() <= pixels / 8;
+}
+
 }  // namespace
 
 std::size_t ObjectPass::bytes() const {
     std::size_t sum = vertices.bytes() + front.bytes() + back.bytes();
-    sum += raster::bytes_held(vertex_material, bins);
+    sum += raster::bytes_held(vertex_material, face_uv_steps, bins);
     for (const raster::Bin& bin : bins)
         sum += bin.bytes();
     for (const ShadowSides& shadow : sides)
@@ -104,10 +112,14 @@ void ObjectPass::begin(const Object& begun, std::size_t first_face, const Frame&
 void ObjectPass::begin_textures() {
     textured = {mesh().vertices.has_colors(), false};
     textures.clear();
+    face_uv_steps.clear();
     if (settings.shading != Shading::phong || !is_textured(*object, *frame)) return;
     textured = textured_attributes(*object);
     textures = placed_textures(*object);
     face_matrices = render::face_matrices(*object, *frame);
+    needs = site_needs(*object);
+    if (needs.uv_steps && textured.has_uvs && has_large_faces(*this))
+        face_uv_steps.resize(mesh().face_count());
     uv_unit = textured.has_uvs ? uv_unit_of(mesh().vertices) : 1.0f;
 }
 

@@ -54,7 +54,9 @@ struct ObjectPass {
     TexturedAttributes textured;                // Phong shading of a textured object:
     std::vector<PlacedTextures> textures;       // of each material; empty if there are none
     float uv_unit = 1.0f;                       // by which (u, v) are divided
+    shading::SiteNeeds needs;
     FaceMatrices face_matrices;
+    std::vector<FaceUvSteps<float>> face_uv_steps;  // of each face, where that pays; else empty
     raster::PolygonStreams polygons;
     raster::Attributes attributes;
     std::vector<raster::Bin> bins;                          // by stretches of faces

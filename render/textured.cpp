@@ -35,6 +35,17 @@ std::vector<PlacedTextures> placed_textures(const Object& object) {
     return result;
 }
 
+shading::SiteNeeds site_needs(const Object& object) {
+    shading::SiteNeeds all;
+    for (const auto& textures : object.textures) {
+        const shading::SiteNeeds needs = textures.needs();
+        all.gradients |= needs.gradients;
+        all.uv_steps |= needs.uv_steps;
+        all.steps |= needs.steps;
+    }
+    return all;
+}
+
 FaceMatrices face_matrices(const Object& object, const Frame& frame) {
     const glm::dmat4 object_from_world = glm::inverse(object.world_from_object);
     return {glm::mat4(object_from_world * glm::dmat4(frame.world_from_screen)),

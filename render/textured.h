@@ -65,6 +65,9 @@ struct PlacedTextures {
 /// Of each of the object's materials.
 std::vector<PlacedTextures> placed_textures(const Object& object);
 
+/// Of all of the object's textures.
+shading::SiteNeeds site_needs(const Object& object);
+
 /// The power of two, not below 1, by which (u, v) are divided when they are interpolated.
 float uv_unit_of(const mesh::Vertices& vertices);
 
@@ -77,19 +80,19 @@ struct FaceMatrices {
 
 FaceMatrices face_matrices(const Object& object, const Frame& frame);
 
-/// Where the plane of a face goes from pixel to pixel, homogeneous, world space: see `pixel_step`.
+/// Where the plane of a face goes from pixel to pixel, homogeneous: see `steps_at`.
 template <class Real>
-struct FaceSteps {
-    glm::vec<4, Real> right, down;
-};
+using FaceSteps = shading::PixelSteps<glm::vec<4, Real>>;
 
-/// Of the plane normal.p = offset, object space. From pixel to pixel its depth on the screen grows
-/// by what keeps a place on the plane. Zero where the plane is seen edge-on.
+/// Of the plane normal.p = offset, object space, in the space to which `to` leads from the screen.
+/// From pixel to pixel the plane's depth on the screen grows by what keeps a place on it. Zero
+/// where it is seen edge-on.
 template <class Real>
-FaceSteps<Real> face_steps(const FaceMatrices& m, const shading::Vec3<Real>& normal, Real offset) {
+FaceSteps<Real> face_steps(const glm::mat4& object_from_screen, const glm::mat4& to,
+                           const shading::Vec3<Real>& normal, Real offset) {
     using shading::select;
     const auto off_plane = [&](int column) {
-        const glm::vec4& c = m.object_from_screen[column];
+        const glm::vec4& c = object_from_screen[column];
         return shading::dot(normal, shading::Vec3<Real>(Real(c.x), Real(c.y), Real(c.z))) -
                offset * Real(c.w);
     };
@@ -99,21 +102,58 @@ FaceSteps<Real> face_steps(const FaceMatrices& m, const shading::Vec3<Real>& nor
     const auto step = [&](int column) {
         const Real depth = -(off_plane(column) * inverse);
         const auto part = [&](int row) {
-            const auto& w = m.world_from_screen;
-            return select(seen, Real(w[column][row]) + Real(w[2][row]) * depth, Real(0));
+            return select(seen, Real(to[column][row]) + Real(to[2][row]) * depth, Real(0));
         };
         return glm::vec<4, Real>(part(0), part(1), part(2), part(3));
     };
     return {step(0), step(1)};
 }
 
-/// From what a pixel shows of a face to what the next one shows, world space; `point` and
+/// From what a pixel shows of a face to what the next ones show, world space; `point` and
 /// `inverse_w` are of the pixel's own place.
 template <class Real>
-shading::Vec3<Real> pixel_step(const glm::vec<4, Real>& step, const shading::Vec3<Real>& point,
-                               Real inverse_w) {
-    return {(step.x - point.x * step.w) * inverse_w, (step.y - point.y * step.w) * inverse_w,
-            (step.z - point.z * step.w) * inverse_w};
+shading::PixelSteps<shading::Vec3<Real>> steps_at(const FaceSteps<Real>& steps,
+                                                  const shading::Vec3<Real>& point,
+                                                  Real inverse_w) {
+    const auto moved = [&](const glm::vec<4, Real>& step) {
+        return shading::Vec3<Real>((step.x - point.x * step.w) * inverse_w,
+                                   (step.y - point.y * step.w) * inverse_w,
+                                   (step.z - point.z * step.w) * inverse_w);
+    };
+    return {moved(steps.right), moved(steps.down)};
+}
+
+/// How (u, v) of a face go on from pixel to pixel, homogeneous: see `uv_steps_at`. The third is how
+/// w does.
+template <class Real>
+using FaceUvSteps = shading::PixelSteps<shading::Vec3<Real>>;
+
+/// Of a face whose u and v are linear functions of the point, see `mesh::Mesh`, and whose plane is
+/// normal.p = offset; object space.
+template <class Real>
+FaceUvSteps<Real> face_uv_steps(const glm::mat4& object_from_screen,
+                                const shading::Vec3<Real>& normal, Real offset,
+                                const glm::vec<4, Real>& u, const glm::vec<4, Real>& v) {
+    const auto steps = face_steps(object_from_screen, object_from_screen, normal, offset);
+    const auto change = [](const glm::vec<4, Real>& function, const glm::vec<4, Real>& step) {
+        return (function.x * step.x + function.y * step.y) +
+               (function.z * step.z + function.w * step.w);
+    };
+    const auto changes = [&](const glm::vec<4, Real>& step) {
+        return shading::Vec3<Real>(change(u, step), change(v, step), step.w);
+    };
+    return {changes(steps.right), changes(steps.down)};
+}
+
+/// From (u, v) of what a pixel shows of a face to those of the next ones.
+template <class Real>
+shading::PixelSteps<glm::vec<2, Real>> uv_steps_at(const FaceUvSteps<Real>& steps,
+                                                   const glm::vec<2, Real>& uv, Real inverse_w) {
+    const auto moved = [&](const shading::Vec3<Real>& step) {
+        return glm::vec<2, Real>((step.x - uv.x * step.z) * inverse_w,
+                                 (step.y - uv.y * step.z) * inverse_w);
+    };
+    return {moved(steps.right), moved(steps.down)};
 }
 
 /// A gradient by the inverse transpose of the matrix that takes points.

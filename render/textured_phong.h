@@ -25,7 +25,8 @@ public:
         const PlacedTextures& textures;
         glm::vec3 normal;  // of the side seen
         FaceSteps<float> steps;
-        glm::vec3 grad_u, grad_v;
+        FaceUvSteps<float> uv_steps;
+        shading::UvGradients<float> gradients;
         float outward;
     };
 
@@ -55,15 +56,19 @@ public:
         Polygon polygon{placed_.material_of(face),
                         textures_[mesh.face_material[face]],
                         placed_.face_normal_seen(face, side),
-                        face_steps(matrices_, mesh.face_normals[face], mesh.face_offset[face]),
+                        face_steps(matrices_.object_from_screen, matrices_.world_from_screen,
+                                   mesh.face_normals[face], mesh.face_offset[face]),
                         {},
                         {},
                         side == Side::front ? 1.0f : -1.0f};
         if constexpr (has.has_uvs) {
-            polygon.grad_u =
-                transformed_gradient(matrices_.gradients_from_object, mesh.face_grad_u[face]);
-            polygon.grad_v =
-                transformed_gradient(matrices_.gradients_from_object, mesh.face_grad_v[face]);
+            const glm::vec4& u = mesh.face_u[face];
+            const glm::vec4& v = mesh.face_v[face];
+            polygon.uv_steps = face_uv_steps(matrices_.object_from_screen, mesh.face_normals[face],
+                                             mesh.face_offset[face], u, v);
+            const glm::mat3& m = matrices_.gradients_from_object;
+            polygon.gradients = {transformed_gradient(m, glm::vec3(u)),
+                                 transformed_gradient(m, glm::vec3(v))};
         }
         return polygon;
     }
@@ -76,9 +81,10 @@ public:
         const glm::vec3 point = point_behind(frame_.world_from_screen, screen);
         const glm::vec3 normal = shading::unit_or(glm::vec3(a[0], a[1], a[2]), polygon.normal);
         const float inverse_w = 1.0f / point_component(frame_.world_from_screen, 3, screen);
+        const glm::vec2 uv = own_uv(a);
         return {{point, normal, frame_.view_from(point)},
-                {point, own_place(a, polygon), pixel_step(polygon.steps.right, point, inverse_w),
-                 pixel_step(polygon.steps.down, point, inverse_w)},
+                {point, uv, uv_steps_at(polygon.uv_steps, uv, inverse_w), polygon.gradients,
+                 steps_at(polygon.steps, point, inverse_w)},
                 color(a),
                 polygon.outward};
     }
@@ -104,11 +110,11 @@ private:
         return undivided(glm::vec3(a[c], a[c + 1], a[c + 2]), a[at(has.q())]);
     }
 
-    shading::TexturePlace<float> own_place(const Values& a, const Polygon& polygon) const {
-        if constexpr (!has.has_uvs) return {};
+    glm::vec2 own_uv(const Values& a) const {
+        if constexpr (!has.has_uvs) return glm::vec2(0.0f);
         const glm::vec3 uv =
             undivided(glm::vec3(a[at(has.uvs())], a[at(has.uvs() + 1)], 0.0f), a[at(has.q())]);
-        return {uv.x * uv_unit_, uv.y * uv_unit_, polygon.grad_u, polygon.grad_v};
+        return {uv.x * uv_unit_, uv.y * uv_unit_};
     }
 
     const PlacedMesh& placed_;

@@ -35,8 +35,8 @@ Rgb<Real> cook_torrance(const Vec3<Real>& N, const Vec3<Real>& L, const Vec3<Rea
     const Real sure_NV = select(NV > Real(1e-4), NV, Real(1e-4));
     const Real sure_VH = select(is_seen_lit, VH, Real(1));
     const Real D = facet_density(NH, slopes);
-    const Real G = facets_open(NH, NL, sure_NV, sure_VH);
-    const Real facets = Real(slopes.reflection_constant()) * D * (G / sure_NV);
+    const Real G_by_NV = facets_open_by_view(NH, NL, sure_NV, sure_VH);
+    const Real facets = Real(slopes.reflection_constant()) * D * G_by_NV;
     return reflectance_at(sure_VH, material) * select(is_seen_lit, facets, Real(0));
 }
 

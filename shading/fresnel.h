@@ -26,6 +26,12 @@ Real fresnel(Real c, Real n) noexcept {
     return select(g2 < Real(0), Real(1), rho);
 }
 
+/// rho, before the division.
+template <class Real>
+struct FresnelShare {
+    Real mirrored, of;
+};
+
 /// Of a metal in air, whose index is n + ik in this channel. With s^2 = 1 - c^2,
 /// a = n^2 - k^2 - s^2, q = sqrt(a^2 + 4 n^2 k^2) and p = sqrt((q + a)/2):
 ///     rho_perpendicular = (q + c^2 - 2 p c)/(q + c^2 + 2 p c)
@@ -33,7 +39,7 @@ Real fresnel(Real c, Real n) noexcept {
 /// Born & Wolf, "Principles of Optics", 14.2; their mean over one denominator. For k = 0 it is the
 /// dielectric's.
 template <class Real>
-Real fresnel_metal(Real c, Real n, Real k) noexcept {
+FresnelShare<Real> metal_share(Real c, Real n, Real k) noexcept {
     const Real c2 = c * c;
     const Real s2 = positive_part(Real(1) - c2);
     const Real a = ((n - Real(1)) * (n + Real(1)) - k * k) + c2;
@@ -42,9 +48,26 @@ Real fresnel_metal(Real c, Real n, Real k) noexcept {
     const Real p = square_root(positive_part(q + a) * Real(0.5));
     const Real pc2 = Real(2) * (p * c);
     const Real whole = c2 * q + s2 * s2;
-    const Real below = ((q + c2) + pc2) * (whole + pc2 * s2);
-    const Real above = ((q + c2) - pc2) * whole;
-    return positive_part(above / select(below > Real(0), below, Real(1)));
+    return {positive_part(((q + c2) - pc2) * whole), ((q + c2) + pc2) * (whole + pc2 * s2)};
+}
+
+/// In each channel, with one division for all. n and k are no more than 1000; where c is so small
+/// that the product of the three runs out of numbers, all is mirrored.
+template <class Real>
+Rgb<Real> fresnel_metal(Real c, const Rgb<Real>& n, const Rgb<Real>& k) noexcept {
+    const FresnelShare<Real> red = metal_share(c, n.x, k.x);
+    const FresnelShare<Real> green = metal_share(c, n.y, k.y);
+    const FresnelShare<Real> blue = metal_share(c, n.z, k.z);
+    const Real of_green_blue = green.of * blue.of;
+    const Real of_all = red.of * of_green_blue;
+    const auto divides = of_all > Real(0x1p-100f);
+    const Real inverse = Real(1) / select(divides, of_all, Real(1));
+    const auto quotient = [&](Real mirrored, Real of_others) {
+        const Real rho = mirrored * (of_others * inverse);
+        return select(divides & (rho < Real(1)), rho, Real(1));
+    };
+    return {quotient(red.mirrored, of_green_blue), quotient(green.mirrored, red.of * blue.of),
+            quotient(blue.mirrored, red.of * green.of)};
 }
 
 /// Cook & Torrance 1981, for a metal of which no more is known than what it reflects straight back,

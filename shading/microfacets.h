@@ -78,4 +78,13 @@ Real facets_open(Real NH, Real NL, Real NV, Real VH) noexcept {
     return select(share < Real(1), share, Real(1));
 }
 
+/// G/(N.V), with one division for both:
+///     min(V.H, 2 (N.H) min(N.V, N.L)) / ((V.H)(N.V))
+template <class Real>
+Real facets_open_by_view(Real NH, Real NL, Real NV, Real VH) noexcept {
+    const Real least = select(NL < NV, NL, NV);
+    const Real groove = Real(2) * (NH * least);
+    return select(groove < VH, groove, VH) / (VH * NV);
+}
+
 }  // namespace scanlight::shading

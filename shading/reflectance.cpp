@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <glm/common.hpp>
+
 namespace scanlight::shading {
 namespace {
 
@@ -22,7 +24,8 @@ Reflectance dielectric(double n) noexcept {
 }
 
 Reflectance metal(const Rgb<double>& n, const Rgb<double>& k) noexcept {
-    Reflectance result{Reflectance::Kind::metal, n, k, {}};
+    const Rgb<double> most(1000.0);
+    Reflectance result{Reflectance::Kind::metal, glm::min(n, most), glm::min(k, most), {}};
     result.C_0 = reflectance_at(1.0, result);
     return result;
 }

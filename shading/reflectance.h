@@ -18,7 +18,7 @@ struct Reflectance {
 /// Of a dielectric of index `n` > 0: nearly grey, so that highlights have the light's colour.
 Reflectance dielectric(double n) noexcept;
 
-/// Of a metal of index n + ik in each channel.
+/// Of a metal of index n + ik in each channel; n and k count as no more than 1000.
 Reflectance metal(const Rgb<double>& n, const Rgb<double>& k) noexcept;
 
 /// Of a material of which only the colour is known that it mirrors at 0 degrees: by the index that
@@ -35,8 +35,7 @@ Rgb<Real> reflectance_at(Real c, const Reflectance& material) noexcept {
     const auto& [kind, n, k, C_0] = material;
     switch (kind) {
         case Reflectance::Kind::metal:
-            return {fresnel_metal(c, Real(n.x), Real(k.x)), fresnel_metal(c, Real(n.y), Real(k.y)),
-                    fresnel_metal(c, Real(n.z), Real(k.z))};
+            return fresnel_metal(c, Rgb<Real>(n), Rgb<Real>(k));
         case Reflectance::Kind::shifted:
             return fresnel_color(c, Rgb<Real>(C_0), Real(n.x));
         case Reflectance::Kind::dielectric:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -22,14 +23,23 @@ struct SurfaceTextures {
     float bump_height = 1;                        // of luminance 1, world units
     float normal_scale = 1;                       // of x and y of the normal map
 
-    bool any() const {
-        return ambient || diffuse || specular || exponent || opacity || emission || bump ||
-               normal || mirrored;
+    /// Whether there is a texture that `is` so.
+    template <class Is>
+    bool any_that(Is&& is) const {
+        const auto there = [&](const std::optional<Texture>& t) {
+            return t && std::invoke(is, *t);
+        };
+        return there(ambient) || there(diffuse) || there(specular) || there(exponent) ||
+               there(opacity) || there(emission) || there(bump) || there(normal);
     }
-    bool needs_uv() const {
-        const auto needs = [](const std::optional<Texture>& t) { return t && t->needs_uv(); };
-        return needs(ambient) || needs(diffuse) || needs(specular) || needs(exponent) ||
-               needs(opacity) || needs(emission) || needs(bump) || needs(normal);
+    bool any() const {
+        return mirrored || any_that([](const Texture&) { return true; });
+    }
+    bool needs_uv() const { return any_that(&Texture::needs_uv); }
+    SiteNeeds needs() const {
+        return {any_that([](const Texture& t) { return t.is_filtered() && t.needs_uv(); }),
+                (bump && bump->needs_uv()) || (normal && normal->needs_uv()),
+                any_that([](const Texture& t) { return t.is_filtered() && !t.needs_uv(); })};
     }
 };
 

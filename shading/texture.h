@@ -47,14 +47,37 @@ struct Texture {
     Channel channel = Channel::luminance;
 
     bool needs_uv() const { return !fills_space(pattern) && mapping == Mapping::uv; }
+    /// Whether it is told how large a pixel is on it.
+    bool is_filtered() const { return pattern == Pattern::image && filter == Filter::trilinear; }
 };
 
-/// Where a texture is looked up: a point that is seen, world space.
+/// From what a pixel shows to what the next ones show, on the right and below.
+template <class Value>
+struct PixelSteps {
+    Value right, down;
+};
+
+/// How fast the mesh's own u and v grow over a face: their gradients, world space.
+template <class Real>
+struct UvGradients {
+    Vec3<Real> u, v;
+};
+
+/// Where a texture is looked up. What no texture needs may be zero, see `SiteNeeds`.
 template <class Real>
 struct TextureSite {
-    Vec3<Real> point;
-    TexturePlace<Real> own;     // the mesh's (u, v)
-    Vec3<Real> step_x, step_y;  // along the surface to what the next pixels show
+    Vec3<Real> point;                        // that is seen, world space
+    glm::vec<2, Real> uv;                    // the mesh's own
+    PixelSteps<glm::vec<2, Real>> uv_steps;  // of these
+    UvGradients<Real> gradients;
+    PixelSteps<Vec3<Real>> steps;  // along the surface, world space
+};
+
+/// What of a `TextureSite` textures need, beside the point and (u, v).
+struct SiteNeeds {
+    bool uv_steps = false;
+    bool gradients = false;
+    bool steps = false;
 };
 
 /// A texture on an object.
@@ -95,36 +118,94 @@ template <class Real>
     }
 }
 
+template <class Real>
+glm::vec<2, Real> repeated(const Texture& t, Real u, Real v) noexcept {
+    return {u * Real(t.repeat.x) + Real(t.offset.x), v * Real(t.repeat.y) + Real(t.offset.y)};
+}
+
+/// By an auxiliary surface.
+template <class Real>
+[[gnu::noinline]] TexturePlace<Real> place_by_mapping(const PlacedTexture& placed,
+                                                      const Vec3<Real>& point) noexcept {
+    TexturePlace<Real> place =
+        place_by(placed.texture->mapping, mapped_point(placed.texture_from_world, point));
+    place.grad_u = gradient_before(placed.texture_from_world, place.grad_u);
+    place.grad_v = gradient_before(placed.texture_from_world, place.grad_v);
+    return place;
+}
+
 /// Gradients in world space.
 template <class Real>
 TexturePlace<Real> place_on(const PlacedTexture& placed, const TextureSite<Real>& site) noexcept {
     const Texture& t = *placed.texture;
-    TexturePlace<Real> place = site.own;
-    if (t.mapping != Mapping::uv) {
-        place = place_by(t.mapping, mapped_point(placed.texture_from_world, site.point));
-        place.grad_u = gradient_before(placed.texture_from_world, place.grad_u);
-        place.grad_v = gradient_before(placed.texture_from_world, place.grad_v);
-    }
-    const Real repeat_u(t.repeat.x);
-    const Real repeat_v(t.repeat.y);
-    return {place.u * repeat_u + Real(t.offset.x), place.v * repeat_v + Real(t.offset.y),
-            place.grad_u * repeat_u, place.grad_v * repeat_v};
+    const TexturePlace<Real> place =
+        t.mapping == Mapping::uv
+            ? TexturePlace<Real>{site.uv.x, site.uv.y, site.gradients.u, site.gradients.v}
+            : place_by_mapping(placed, site.point);
+    const glm::vec<2, Real> uv = repeated(t, place.u, place.v);
+    return {uv.x, uv.y, place.grad_u * Real(t.repeat.x), place.grad_v * Real(t.repeat.y)};
 }
 
-/// The square of a pixel's larger side on an image, in texels.
+/// The square of a pixel's larger side on an image that is so many texels wide and high.
 template <class Real>
-Real squared_texels(const TexelImage& image, const TexturePlace<Real>& place,
-                    const TextureSite<Real>& site) noexcept {
-    const Real width(static_cast<float>(image.width()));
-    const Real height(static_cast<float>(image.height()));
-    const auto squared = [&](const Vec3<Real>& step) {
-        const Real u = dot(place.grad_u, step) * width;
-        const Real v = dot(place.grad_v, step) * height;
+Real larger_square(const PixelSteps<glm::vec<2, Real>>& steps, float width, float height) noexcept {
+    const auto squared = [&](const glm::vec<2, Real>& step) {
+        const Real u = step.x * Real(width);
+        const Real v = step.y * Real(height);
         return u * u + v * v;
     };
-    const Real x = squared(site.step_x);
-    const Real y = squared(site.step_y);
-    return select(x > y, x, y);
+    const Real right = squared(steps.right);
+    const Real down = squared(steps.down);
+    return select(right > down, right, down);
+}
+
+/// How a place on a texture changes from pixel to pixel.
+template <class Real>
+PixelSteps<glm::vec<2, Real>> steps_on(const TexturePlace<Real>& place,
+                                       const PixelSteps<Vec3<Real>>& steps) noexcept {
+    return {{dot(place.grad_u, steps.right), dot(place.grad_v, steps.right)},
+            {dot(place.grad_u, steps.down), dot(place.grad_v, steps.down)}};
+}
+
+/// A spot of a texture, and the square of a pixel's larger side there, in texels of its image.
+template <class Real>
+struct TextureSpot {
+    Real u, v;
+    Real squared_texels;  // 0 if the texture has no use for it
+};
+
+template <class Real>
+Real squared_texels(const Texture& t, const TextureSite<Real>& site) noexcept {
+    const auto width = static_cast<float>(t.image->width());
+    const auto height = static_cast<float>(t.image->height());
+    return larger_square(site.uv_steps, width * t.repeat.x, height * t.repeat.y);
+}
+
+template <class Real>
+Real squared_texels(const Texture& t, const TexturePlace<Real>& place,
+                    const PixelSteps<Vec3<Real>>& steps) noexcept {
+    const auto width = static_cast<float>(t.image->width());
+    const auto height = static_cast<float>(t.image->height());
+    return larger_square(steps_on(place, steps), width, height);
+}
+
+/// Of a place on the texture that belongs to a site.
+template <class Real>
+TextureSpot<Real> spot_at(const Texture& t, const TexturePlace<Real>& place,
+                          const TextureSite<Real>& site) noexcept {
+    if (!t.is_filtered()) return {place.u, place.v, Real(0)};
+    return {
+        place.u, place.v,
+        t.mapping == Mapping::uv ? squared_texels(t, site) : squared_texels(t, place, site.steps)};
+}
+
+/// Without the gradients, which cost more than all else of the mesh's own place.
+template <class Real>
+TextureSpot<Real> spot_on(const PlacedTexture& placed, const TextureSite<Real>& site) noexcept {
+    const Texture& t = *placed.texture;
+    if (t.mapping != Mapping::uv) return spot_at(t, place_on(placed, site), site);
+    const glm::vec<2, Real> uv = repeated(t, site.uv.x, site.uv.y);
+    return {uv.x, uv.y, t.is_filtered() ? squared_texels(t, site) : Real(0)};
 }
 
 template <class Real>
@@ -161,19 +242,13 @@ Real function_value(const Texture& t, Real x, Real y) noexcept {
 }
 
 template <class Real>
-Rgb<Real> flat_color(const Texture& t, Real u, Real v, Real squared) noexcept {
+Rgb<Real> flat_color(const Texture& t, const TextureSpot<Real>& spot) noexcept {
     if (t.pattern == Pattern::image) {
-        const auto texel = sampled<TexelColor<Real>>(*t.image, t.filter, t.wrap, u, v, squared);
-        return between(t, texel);
+        return between(t, sampled<TexelColor<Real>>(*t.image, t.filter, t.wrap, spot.u, spot.v,
+                                                    spot.squared_texels));
     }
-    return between(t, Rgb<Real>(function_value(t, wrapped(u, t.wrap), wrapped(v, t.wrap))));
-}
-
-template <class Real>
-Real squared_texels_if_image(const Texture& t, const TexturePlace<Real>& place,
-                             const TextureSite<Real>& site) noexcept {
-    const bool asked = t.pattern == Pattern::image && t.filter == Filter::trilinear;
-    return asked ? squared_texels(*t.image, place, site) : Real(0);
+    const Real value = function_value(t, wrapped(spot.u, t.wrap), wrapped(spot.v, t.wrap));
+    return between(t, Rgb<Real>(value));
 }
 
 /// The texture's colour at a site.
@@ -183,8 +258,7 @@ template <class Real>
     const Texture& t = *placed.texture;
     if (fills_space(t.pattern))
         return solid_color(t, mapped_point(placed.texture_from_world, site.point));
-    const TexturePlace<Real> place = place_on(placed, site);
-    return flat_color(t, place.u, place.v, squared_texels_if_image(t, place, site));
+    return flat_color(t, spot_on(placed, site));
 }
 
 /// The texture's opacity at a site: 1 but for images.
@@ -193,9 +267,9 @@ template <class Real>
                                 const TextureSite<Real>& site) noexcept {
     const Texture& t = *placed.texture;
     if (t.pattern != Pattern::image) return Real(1);
-    const TexturePlace<Real> place = place_on(placed, site);
-    return sampled<TexelAlpha<Real>>(*t.image, t.filter, t.wrap, place.u, place.v,
-                                     squared_texels_if_image(t, place, site));
+    const TextureSpot<Real> spot = spot_on(placed, site);
+    return sampled<TexelAlpha<Real>>(*t.image, t.filter, t.wrap, spot.u, spot.v,
+                                     spot.squared_texels);
 }
 
 /// The one number of a texture at a site.
@@ -223,15 +297,18 @@ Vec3<Real> solid_height_gradient(const Texture& t, const Vec3<Real>& p) noexcept
 template <class Real>
 [[gnu::noinline]] Slopes<Real> function_slopes(const Texture& t, Real u, Real v) noexcept {
     constexpr float step = 0x1p-10f;
-    const auto height = [&](Real x, Real y) { return luminance(flat_color(t, x, y, Real(0))); };
+    const auto height = [&](Real x, Real y) {
+        return luminance(flat_color<Real>(t, {x, y, Real(0)}));
+    };
     return {(height(u + Real(step), v) - height(u - Real(step), v)) * Real(0.5f / step),
             (height(u, v + Real(step)) - height(u, v - Real(step))) * Real(0.5f / step)};
 }
 
 /// The same of an image of slopes.
 template <class Real>
-Slopes<Real> image_slopes(const Texture& t, Real u, Real v, Real squared) noexcept {
-    const Slopes<Real> slopes = slopes_at(*t.image, t.filter, t.wrap, u, v, squared);
+Slopes<Real> image_slopes(const Texture& t, const TextureSpot<Real>& spot) noexcept {
+    const Slopes<Real> slopes =
+        slopes_at(*t.image, t.filter, t.wrap, spot.u, spot.v, spot.squared_texels);
     const float rise = luminance(t.high) - luminance(t.low);
     return {slopes.u * Real(rise * static_cast<float>(t.image->width())),
             slopes.v * Real(rise * static_cast<float>(t.image->height()))};
@@ -248,10 +325,8 @@ template <class Real>
         return gradient_before(placed.texture_from_world, solid_height_gradient(t, p));
     }
     const TexturePlace<Real> place = place_on(placed, site);
-    const Slopes<Real> F =
-        t.pattern == Pattern::image
-            ? image_slopes(t, place.u, place.v, squared_texels_if_image(t, place, site))
-            : function_slopes(t, place.u, place.v);
+    const Slopes<Real> F = t.pattern == Pattern::image ? image_slopes(t, spot_at(t, place, site))
+                                                       : function_slopes(t, place.u, place.v);
     return place.grad_u * F.u + place.grad_v * F.v;
 }
 

@@ -233,6 +233,9 @@ inline bool all(Mask mask) {
 inline int count(Mask mask) {
     return static_cast<int>(hn::CountTrue(FloatTag(), mask.m));
 }
+inline std::int32_t first_lane(Ints a) {
+    return hn::GetLane(a.v);
+}
 /// The bits that any lane has.
 inline std::int32_t joined_bits(Ints a) {
     std::int32_t lanes[lane_count];

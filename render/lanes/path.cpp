@@ -6,6 +6,7 @@
 #include "render/lanes/light_row.h"
 #include "render/lanes/light_vertices.h"
 #include "render/lanes/store.h"
+#include "render/lanes/uv_steps.h"
 #include "render/lanes/vertices.h"
 
 namespace scanlight::raster::HWY_NAMESPACE {
@@ -87,6 +88,7 @@ extern const LanePath lane_path;
 const LanePath lane_path{&raster::HWY_NAMESPACE::lane_path,
                          place_vertices,
                          light_vertices,
+                         find_face_uv_steps,
                          see,
                          store_band,
                          light_band,

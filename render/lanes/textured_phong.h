@@ -1,46 +1,12 @@
 #pragma once
 
+#include <vector>
+
 #include "render/lanes/pixel_lanes.h"
+#include "render/lanes/uv_steps.h"
 #include "render/textured.h"
 
 namespace scanlight::render::HWY_NAMESPACE {
-
-/// What is on record of the pixels' faces for textures, object space. Neighbours show few faces: to
-/// fetch a face's numbers once, for all its pixels, takes less time than once for each of them.
-struct FaceLanes {
-    VectorLanes normal{Floats(0)}, grad_u{Floats(0)}, grad_v{Floats(0)};
-    Floats offset{0};
-
-    FaceLanes(const mesh::Mesh& mesh, const PixelLanes& pixels, bool with_gradients) {
-        const auto fetch_one = [&](std::int32_t face, Mask where) {
-            fetch(mesh, static_cast<std::size_t>(face), where, with_gradients);
-        };
-        const Mask all = first_lanes(lane_count);
-        if (!for_each_number(pixels.face(), all, few, fetch_one))
-            fetch_each(mesh, pixels.face(), with_gradients);
-    }
-
-private:
-    static constexpr int few = 5;
-
-    void fetch_each(const mesh::Mesh& mesh, Ints face, bool with_gradients) {
-        normal = gather(mesh.face_normals, face);
-        offset = gather(mesh.face_offset.data(), face);
-        if (!with_gradients) return;
-        grad_u = gather(mesh.face_grad_u, face);
-        grad_v = gather(mesh.face_grad_v, face);
-    }
-    void fetch(const mesh::Mesh& mesh, std::size_t face, Mask where, bool with_gradients) {
-        put(mesh.face_normals[face], where, normal);
-        offset = select(where, Floats(mesh.face_offset[face]), offset);
-        if (!with_gradients) return;
-        put(mesh.face_grad_u[face], where, grad_u);
-        put(mesh.face_grad_v[face], where, grad_v);
-    }
-    static void put(const glm::vec3& v, Mask where, VectorLanes& to) {
-        to = shading::select(where, VectorLanes(Floats(v.x), Floats(v.y), Floats(v.z)), to);
-    }
-};
 
 /// See `TexturedPhongTechnique`.
 template <class Model>
@@ -69,18 +35,23 @@ public:
     }
 
 private:
+    /// Each part is made in its place: to copy such long ones would take its time.
     TexturedSurface<Floats> surface_at(const PixelLanes& pixels) const {
         const glm::mat4& world_from_screen = pass_.frame->world_from_screen;
         const VectorLanes screen = screen_at(pixels);
         const VectorLanes point = point_behind(world_from_screen, screen);
         const Floats inverse_w = Floats(1) / point_component(world_from_screen, 3, screen);
-        const FaceLanes face(pass_.mesh(), pixels, pass_.textured.has_uvs);
-        const auto steps = face_steps(pass_.face_matrices, face.normal, face.offset);
         return {{point, normal_at(pass_, pixels), view_from(pass_.frame->viewpoint, point)},
-                {point, own_place(pixels, face), pixel_step(steps.right, point, inverse_w),
-                 pixel_step(steps.down, point, inverse_w)},
+                site_at(pixels, point, own_uv(pixels), inverse_w),
                 color(pixels),
                 select(pixels.back(), Floats(-1), Floats(1))};
+    }
+
+    shading::TextureSite<Floats> site_at(const PixelLanes& pixels, const VectorLanes& point,
+                                         const glm::vec<2, Floats>& uv, Floats inverse_w) const {
+        const Ints face = pixels.face();
+        return {point, uv, uv_steps(face, uv, inverse_w), gradients(face),
+                steps(face, point, inverse_w)};
     }
 
     ColorLanes color(const PixelLanes& pixels) const {
@@ -88,13 +59,39 @@ private:
         return undivided(pixels, pass_.textured.colors(), 3);
     }
 
-    shading::TexturePlace<Floats> own_place(const PixelLanes& pixels, const FaceLanes& face) const {
-        const VectorLanes nothing(Floats(0));
-        if (!pass_.textured.has_uvs) return {Floats(0), Floats(0), nothing, nothing};
+    glm::vec<2, Floats> own_uv(const PixelLanes& pixels) const {
+        if (!pass_.textured.has_uvs) return glm::vec<2, Floats>(Floats(0));
+        const Floats unit(pass_.uv_unit);
         const VectorLanes uv = undivided(pixels, pass_.textured.uvs(), 2);
+        return {uv.x * unit, uv.y * unit};
+    }
+
+    shading::PixelSteps<glm::vec<2, Floats>> uv_steps(Ints face, const glm::vec<2, Floats>& uv,
+                                                      Floats inverse_w) const {
+        const glm::vec<2, Floats> none(Floats(0));
+        if (!pass_.textured.has_uvs || !pass_.needs.uv_steps) return {none, none};
+        return uv_steps_at(face_uv_steps(pass_, face), uv, inverse_w);
+    }
+
+    shading::UvGradients<Floats> gradients(Ints face) const {
+        const VectorLanes none(Floats(0));
+        if (!pass_.textured.has_uvs || !pass_.needs.gradients) return {none, none};
         const glm::mat3& m = pass_.face_matrices.gradients_from_object;
-        return {uv.x * Floats(pass_.uv_unit), uv.y * Floats(pass_.uv_unit),
-                transformed_gradient(m, face.grad_u), transformed_gradient(m, face.grad_v)};
+        const auto gradient = [&](const std::vector<glm::vec4>& functions) {
+            return transformed_gradient(m, face_gradient(functions, face));
+        };
+        return {gradient(pass_.mesh().face_u), gradient(pass_.mesh().face_v)};
+    }
+
+    shading::PixelSteps<VectorLanes> steps(Ints face, const VectorLanes& point,
+                                           Floats inverse_w) const {
+        const VectorLanes none(Floats(0));
+        if (!pass_.needs.steps) return {none, none};
+        const FaceMatrices& m = pass_.face_matrices;
+        const auto steps = face_steps(m.object_from_screen, m.world_from_screen,
+                                      gather(pass_.mesh().face_normals, face),
+                                      gather(pass_.mesh().face_offset.data(), face));
+        return steps_at(steps, point, inverse_w);
     }
 
     /// So many attributes from the `first` on, divided by q.

@@ -150,6 +150,20 @@ TEST(Build, EachCornerOfAFlatFaceLiesInItsPlane) {
     }
 }
 
+TEST(Build, UAndVOfAFlatFaceAreLinearFunctionsOfThePoint) {
+    const Mesh mesh = build(shape("uv-sphere:12,6")).mesh;
+    ASSERT_EQ(mesh.face_u.size(), mesh.face_count());
+    for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+        const auto corners = mesh.face(face);
+        if (corners.size() != 3) continue;
+        for (const std::uint32_t v : corners) {
+            const glm::vec4 point(mesh.vertices.position(v), 1.0f);
+            EXPECT_NEAR(glm::dot(mesh.face_u[face], point), mesh.vertices.u[v], 1e-5);
+            EXPECT_NEAR(glm::dot(mesh.face_v[face], point), mesh.vertices.v[v], 1e-5);
+        }
+    }
+}
+
 TEST(Build, AnEmptySoupGivesAnEmptyMesh) {
     const auto [mesh, report] = build(PolygonSoup{});
     EXPECT_EQ(mesh.face_count(), 0u);

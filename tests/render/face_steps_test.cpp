@@ -9,6 +9,8 @@
 namespace scanlight::render {
 namespace {
 
+constexpr double h = 1.0 / 64;  // of a pixel
+
 /// A plane of an object before a camera.
 struct Plane {
     FaceMatrices matrices;
@@ -21,6 +23,15 @@ struct Plane {
     }
     double inverse_w_at(const glm::dvec2& place) const {
         return 1.0 / point_component(matrices.world_from_screen, 3, on_screen(place));
+    }
+    /// World space.
+    FaceSteps<double> steps() const {
+        return face_steps(matrices.object_from_screen, matrices.world_from_screen, normal, offset);
+    }
+    /// A function's value where the plane is seen, and how it goes on from there.
+    double value_at(const glm::dvec4& function, const glm::dvec2& place) const {
+        const glm::dvec3 p = point_behind(matrices.object_from_screen, on_screen(place));
+        return glm::dot(function, glm::dvec4(p, 1.0));
     }
 
 private:
@@ -55,13 +66,34 @@ TEST(FaceSteps, AreHowThePointOfThePlaneMoves) {
         const double x = random.between(50, 150);
         const glm::dvec2 here(x, random.between(25, 75));
         const glm::dvec3 point = plane.point_at(here);
-        const auto steps = face_steps(plane.matrices, plane.normal, plane.offset);
-        const auto check = [&](const glm::dvec4& step, const glm::dvec2& way) {
-            constexpr double h = 1.0 / 64;
+        const auto steps = steps_at(plane.steps(), point, plane.inverse_w_at(here));
+        const auto check = [&](const glm::dvec3& found, const glm::dvec2& way) {
             const glm::dvec3 moved =
                 (plane.point_at(here + h * way) - plane.point_at(here - h * way)) / (2.0 * h);
-            const glm::dvec3 found = pixel_step(step, point, plane.inverse_w_at(here));
             EXPECT_LT(glm::length(found - moved), 1e-3 * glm::length(moved)) << i;
+        };
+        check(steps.right, {1, 0});
+        check(steps.down, {0, 1});
+    }
+}
+
+TEST(FaceUvSteps, AreHowUAndVOfThePlaneChange) {
+    Random random(7);
+    for (int i = 0; i < 500; ++i) {
+        const Plane plane = random_plane(random);
+        const double x = random.between(50, 150);
+        const glm::dvec2 here(x, random.between(25, 75));
+        const glm::dvec4 u(random.in_cube(2.0), 0.3);
+        const glm::dvec4 v(random.in_cube(2.0), -0.7);
+        const auto uv_at = [&](const glm::dvec2& place) {
+            return glm::dvec2(plane.value_at(u, place), plane.value_at(v, place));
+        };
+        const auto of_face =
+            face_uv_steps(plane.matrices.object_from_screen, plane.normal, plane.offset, u, v);
+        const auto steps = uv_steps_at(of_face, uv_at(here), plane.inverse_w_at(here));
+        const auto check = [&](const glm::dvec2& found, const glm::dvec2& way) {
+            const glm::dvec2 moved = (uv_at(here + h * way) - uv_at(here - h * way)) / (2.0 * h);
+            EXPECT_LT(glm::length(found - moved), 2e-3 * glm::length(moved)) << i;
         };
         check(steps.right, {1, 0});
         check(steps.down, {0, 1});
@@ -70,8 +102,10 @@ TEST(FaceSteps, AreHowThePointOfThePlaneMoves) {
 
 TEST(FaceSteps, AreZeroOfAPlaneSeenEdgeOn) {
     Random random(6);
-    const Plane plane = random_plane(random);
-    const auto steps = face_steps(plane.matrices, glm::dvec3(0.0), 0.0);
+    Plane plane = random_plane(random);
+    plane.normal = glm::dvec3(0.0);
+    plane.offset = 0.0;
+    const auto steps = plane.steps();
     EXPECT_EQ(steps.right, glm::dvec4(0.0));
     EXPECT_EQ(steps.down, glm::dvec4(0.0));
 }

@@ -19,7 +19,7 @@ double texture_height(const glm::dvec3& direction) {
     const mesh::Box box{glm::dvec3(-1.0), glm::dvec3(1.0)};
     waves = fitted(waves, box, Axis::y, 1.0);
     const shading::PlacedTexture placed{&waves, waves.texture_from_object};
-    shading::TextureSite<double> site{direction, {}, {}, {}};
+    shading::TextureSite<double> site{direction, {}, {}, {}, {}};
     return shading::color_at(placed, site).x;
 }
 

@@ -72,6 +72,12 @@ TEST(Fresnel, OfEqualMediaIsExactlyNothing) {
     });
 }
 
+/// With the same index in all channels.
+template <class Real>
+Real grey_metal(Real c, Real n, Real k) {
+    return fresnel_metal(c, Rgb<Real>(n), Rgb<Real>(k)).x;
+}
+
 TEST(Fresnel, LiesWithinZeroAndOneWhereverItIsAsked) {
     in_both_precisions([]<class Real>() {
         const double one = 1 + tolerance<Real>;
@@ -79,7 +85,7 @@ TEST(Fresnel, LiesWithinZeroAndOneWhereverItIsAsked) {
             for (const Real n : edge_indices<Real>) {
                 ASSERT_TRUE(fresnel(c, n) >= 0 && fresnel(c, n) <= one) << c << ' ' << n;
                 for (const Real k : {Real(0), Real(0.001), Real(1), Real(8)}) {
-                    const Real rho = fresnel_metal(c, n, k);
+                    const Real rho = grey_metal(c, n, k);
                     ASSERT_TRUE(rho >= 0 && rho <= one) << c << ' ' << n << ' ' << k;
                 }
             }
@@ -92,7 +98,7 @@ TEST(FresnelMetal, WithoutAbsorptionIsTheDielectrics) {
     for (int i = 0; i < trials; ++i) {
         const double n = std::exp2(random.between(-1.5, 2));
         const double c = random.between(0, 1);
-        ASSERT_NEAR(fresnel_metal(c, n, 0.0), fresnel(c, n), 1e-7) << c << ' ' << n;
+        ASSERT_NEAR(grey_metal(c, n, 0.0), fresnel(c, n), 1e-7) << c << ' ' << n;
     }
 }
 
@@ -102,15 +108,40 @@ TEST(FresnelMetal, StraightBackIsThatOfTheComplexIndex) {
         const double n = random.between(0.05, 4);
         const double k = random.between(0, 8);
         const double expected = ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
-        ASSERT_NEAR(fresnel_metal(1.0, n, k), expected, 1e-12);
+        ASSERT_NEAR(grey_metal(1.0, n, k), expected, 1e-12);
     }
 }
 
 TEST(FresnelMetal, AtGrazingIsTheLights) {
     for (const Metal& m : metals()) {
         const Reflectance material = metal(m.n, m.k);
-        EXPECT_EQ(reflectance_at(0.0, material), Rgb<double>(1)) << m.name;
+        expect_value(reflectance_at(0.0, material), {1, 1, 1});
         EXPECT_EQ(reflectance_at(1.0, material), material.C_0) << m.name;
+    }
+}
+
+TEST(FresnelMetal, IsInEachChannelWhatItWouldBeAlone) {
+    Random random(5);
+    for (int i = 0; i < trials; ++i) {
+        const auto index = [&] { return random.between(0.05, 8); };
+        const double c = random.between(1e-6, 1);
+        const Rgb<double> n(index(), index(), index());
+        const Rgb<double> k(index(), index(), index());
+        const Rgb<double> all = fresnel_metal(c, n, k);
+        for (int j = 0; j < 3; ++j) {
+            const auto [mirrored, of] = metal_share(c, n[j], k[j]);
+            ASSERT_NEAR(all[j], mirrored / of, 1e-14) << c;
+        }
+    }
+}
+
+TEST(FresnelMetal, OfAnyIndexIsANumber) {
+    for (const double n : {0.0, 1e-30, 1e6, 1e300}) {
+        const Reflectance material = metal(Rgb<double>(n), Rgb<double>(n));
+        for (const float c : {0.0f, 1e-30f, 1e-4f, 1.0f}) {
+            const float rho = reflectance_at(c, material).x;
+            EXPECT_TRUE(rho >= 0 && rho <= 1) << n << ' ' << c;
+        }
     }
 }
 

@@ -151,6 +151,9 @@ TEST(FacetsOpen, LiesAboveZeroUpToOneAndIsTheSameBothWays) {
         const double least = std::min(groove_share(dot(N, H), dot(N, L), dot(V, H)),
                                       groove_share(dot(N, H), dot(N, V), dot(V, H)));
         ASSERT_EQ(open(L, V), std::min(1.0, least));
+        const double NV = dot(N, V);
+        ASSERT_NEAR(NV * facets_open_by_view(dot(N, H), dot(N, L), NV, dot(V, H)), open(L, V),
+                    1e-12);
     }
 }
 
