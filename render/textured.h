@@ -184,6 +184,7 @@ template <class Real>
 shading::Vec3<Real> wrinkled(const PlacedTextures& textures, const TexturedSurface<Real>& s) {
     using shading::Vec3;
     Vec3<Real> N = s.surface.normal;
+    if (!textures.bump && !textures.normal) return N;
     if (textures.bump) {
         const auto gradient = shading::height_gradient_at(*textures.bump, s.site);
         N = shading::bumped_normal(N, gradient * (s.outward * Real(textures.bump_height)));
@@ -207,8 +208,10 @@ shading::Material<Real> textured(const shading::Material<float>& material,
         result.ambient =
             shading::Rgb<Real>(material.ambient) * (s.color * color_on(textures.ambient, s.site));
     }
-    result.specular = result.specular * color_on(textures.specular, s.site);
-    result.emission = result.emission * color_on(textures.emission, s.site);
+    if (textures.specular)
+        result.specular = result.specular * shading::color_at(*textures.specular, s.site);
+    if (textures.emission)
+        result.emission = result.emission * shading::color_at(*textures.emission, s.site);
     return result;
 }
 

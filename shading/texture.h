@@ -210,6 +210,7 @@ TextureSpot<Real> spot_on(const PlacedTexture& placed, const TextureSite<Real>& 
 
 template <class Real>
 Rgb<Real> between(const Texture& t, Rgb<Real> share_of_high) noexcept {
+    if (t.low == Rgb<float>(0.0f) && t.high == Rgb<float>(1.0f)) return share_of_high;
     const Rgb<Real> low(t.low);
     return low + (Rgb<Real>(t.high) - low) * share_of_high;
 }

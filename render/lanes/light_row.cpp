@@ -1,5 +1,6 @@
 #include "render/lanes/light_row.h"
 
+#include "render/lanes/few.h"
 #include "render/lanes/shade.h"
 #include "render/lanes/store.h"
 
@@ -15,11 +16,16 @@ public:
                const ShadowBand* shadows)
         : technique_(technique), faces_(faces), band_(band), shadows_(shadows) {}
 
+    /// First what surfaces some vectors of pixels show, then their light: each of the two loops is
+    /// short enough for the processor to work on several vectors at a time.
     SCANLIGHT_FLATTEN void light(int y, VectorStreams& row) const {
         const raster::Columns columns = band_.touched();
-        PixelLanes pixels;
-        for (int x = columns.begin; x < columns.end; x += lane_count) {
-            if (read(x, y, pixels)) write(technique_.shade(pixels), x, row);
+        for (int x = columns.begin; x < columns.end;) {
+            Few<Seen, 4> seen;
+            for (; x < columns.end && !seen.is_full(); x += lane_count)
+                see(x, y, seen);
+            for (int i = 0; i < seen.count(); ++i)
+                write(technique_.light(seen[i].faces, seen[i].surface), seen[i].x, row);
         }
     }
 
@@ -32,6 +38,19 @@ public:
     }
 
 private:
+    struct Seen {
+        int x;
+        FaceLanes faces;
+        typename Technique::Surface surface;
+    };
+
+    template <class Few>
+    void see(int x, int y, Few& seen) const {
+        PixelLanes pixels;
+        if (read(x, y, pixels))
+            seen.add([&] { return Seen{x, pixels, technique_.surface(pixels)}; });
+    }
+
     /// False where nothing is shown.
     bool read(int x, int y, PixelLanes& pixels) const {
         const raster::PixelPlace at = band_.row(y) + x;

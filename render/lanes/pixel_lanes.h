@@ -97,17 +97,22 @@ ColorLanes light_by_material(const ObjectPass& pass, Ints face, Mask wanted, Lig
     });
 }
 
-/// A vector of pixels in a row.
-struct PixelLanes {
-    int x, y;
-    Ints depth;
+/// Which polygons a vector of pixels shows.
+struct FaceLanes {
     Mask shown;     // somewhere
     Ints item;      // where nothing is shown, that of a pixel where something is
     Ints shadowed;  // the lights that do not reach the pixel: their bits
-    Ints attributes[raster::most_attributes];
 
     Ints face() const { return item & Ints(static_cast<std::int32_t>(raster::face_mask)); }
     Mask back() const { return item < Ints(0); }
+};
+
+/// A vector of pixels in a row.
+struct PixelLanes : FaceLanes {
+    int x, y;
+    Ints depth;
+    Ints attributes[raster::most_attributes];
+
     VectorLanes vector(int first) const {
         return {float_lanes(attributes[first]), float_lanes(attributes[first + 1]),
                 float_lanes(attributes[first + 2])};

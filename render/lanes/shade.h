@@ -9,17 +9,20 @@
 
 namespace scanlight::render::HWY_NAMESPACE {
 
-// Techniques: what a vector of pixels looks like.
+// Techniques: what a vector of pixels looks like. Each says first what surface the pixels show, all
+// that its light depends on, and then what light it sends.
 
 /// One intensity a face: see `FlatTechnique`.
 class FlatLanes {
 public:
     static constexpr int attributes = 0;
+    struct Surface {};
 
     explicit FlatLanes(const ObjectPass& pass) : pass_(pass) {}
 
-    ColorLanes shade(const PixelLanes& pixels) const {
-        return color_of(pixels.item, pixels.shadowed);
+    Surface surface(const PixelLanes&) const { return {}; }
+    ColorLanes light(const FaceLanes& faces, Surface) const {
+        return color_of(faces.item, faces.shadowed);
     }
     Floats opacity(const PixelLanes& pixels) const { return material_opacity(pass_, pixels); }
 
@@ -88,13 +91,15 @@ private:
 class GouraudLanes {
 public:
     static constexpr int attributes = 4;
+    using Surface = ColorLanes;
 
     explicit GouraudLanes(const ObjectPass& pass) : pass_(pass), unit_(pass.unit) {}
 
     /// Of one step of an attribute: a power of two.
     float unit() const { return unit_ / raster::attribute_one; }
 
-    ColorLanes shade(const PixelLanes& pixels) const { return color_of(pixels.attributes); }
+    Surface surface(const PixelLanes& pixels) const { return color_of(pixels.attributes); }
+    ColorLanes light(const FaceLanes&, const Surface& color) const { return color; }
     Floats opacity(const PixelLanes& pixels) const { return material_opacity(pass_, pixels); }
     ColorLanes color_of(const Ints* attributes) const { return undivided_lanes(attributes, unit_); }
 
@@ -108,17 +113,24 @@ template <class Model, Paint paint>
 class PhongLanes {
 public:
     static constexpr int attributes = paint == Paint::vertices ? 7 : 3;
+    struct Surface {
+        shading::Surface<Floats> seen;
+        ColorLanes color;  // the vertices'
+    };
 
     PhongLanes(const ObjectPass& pass, const Model& model) : pass_(pass), model_(model) {}
 
-    ColorLanes shade(const PixelLanes& pixels) const {
+    Surface surface(const PixelLanes& pixels) const {
         const VectorLanes point = point_at(pixels);
-        const shading::Surface<Floats> surface{point, normal_at(pass_, pixels),
-                                               view_from(pass_.frame->viewpoint, point)};
-        return light_by_material(pass_, pixels.face(), pixels.shown, [&](const auto& material) {
-            return illuminate(model_, surface,
-                              painted_by<paint>(material, [&] { return vertex_color(pixels); }),
-                              pass_.frame->lighting, Unshadowed{pixels.shadowed});
+        return {{point, normal_at(pass_, pixels), view_from(pass_.frame->viewpoint, point)},
+                vertex_color(pixels)};
+    }
+
+    ColorLanes light(const FaceLanes& faces, const Surface& surface) const {
+        return light_by_material(pass_, faces.face(), faces.shown, [&](const auto& material) {
+            return illuminate(model_, surface.seen,
+                              painted_by<paint>(material, [&] { return surface.color; }),
+                              pass_.frame->lighting, Unshadowed{faces.shadowed});
         });
     }
 
@@ -129,7 +141,8 @@ private:
         return point_behind(pass_.frame->world_from_screen, screen_at(pixels));
     }
 
-    VectorLanes vertex_color(const PixelLanes& pixels) const {
+    static ColorLanes vertex_color(const PixelLanes& pixels) {
+        if constexpr (paint != Paint::vertices) return ColorLanes(Floats(0));
         return undivided_lanes(pixels.attributes + 3, 1.0f);
     }
 

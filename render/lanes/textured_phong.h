@@ -13,30 +13,13 @@ template <class Model>
 class TexturedPhongLanes {
 public:
     const int attributes;
+    using Surface = TexturedSurface<Floats>;
 
     TexturedPhongLanes(const ObjectPass& pass, const Model& model)
         : attributes(pass.textured.count()), pass_(pass), model_(model) {}
 
-    ColorLanes shade(const PixelLanes& pixels) const {
-        const TexturedSurface<Floats> surface = surface_at(pixels);
-        return light_by_number(pass_, pixels.face(), pixels.shown, [&](std::size_t number) {
-            return illuminate_textured(model_, surface, pass_.object->materials[number],
-                                       pass_.textures[number], *pass_.frame,
-                                       Unshadowed{pixels.shadowed});
-        });
-    }
-    Floats opacity(const PixelLanes& pixels) const {
-        const TexturedSurface<Floats> surface = surface_at(pixels);
-        const auto of_material = [&](std::size_t number) {
-            return ColorLanes(
-                opacity_on(pass_.object->materials[number], pass_.textures[number], surface.site));
-        };
-        return light_by_number(pass_, pixels.face(), pixels.shown, of_material).x;
-    }
-
-private:
     /// Each part is made in its place: to copy such long ones would take its time.
-    TexturedSurface<Floats> surface_at(const PixelLanes& pixels) const {
+    Surface surface(const PixelLanes& pixels) const {
         const glm::mat4& world_from_screen = pass_.frame->world_from_screen;
         const VectorLanes screen = screen_at(pixels);
         const VectorLanes point = point_behind(world_from_screen, screen);
@@ -47,6 +30,23 @@ private:
                 select(pixels.back(), Floats(-1), Floats(1))};
     }
 
+    ColorLanes light(const FaceLanes& faces, const Surface& surface) const {
+        return light_by_number(pass_, faces.face(), faces.shown, [&](std::size_t number) {
+            return illuminate_textured(model_, surface, pass_.object->materials[number],
+                                       pass_.textures[number], *pass_.frame,
+                                       Unshadowed{faces.shadowed});
+        });
+    }
+    Floats opacity(const PixelLanes& pixels) const {
+        const Surface seen = surface(pixels);
+        const auto of_material = [&](std::size_t number) {
+            return ColorLanes(
+                opacity_on(pass_.object->materials[number], pass_.textures[number], seen.site));
+        };
+        return light_by_number(pass_, pixels.face(), pixels.shown, of_material).x;
+    }
+
+private:
     shading::TextureSite<Floats> site_at(const PixelLanes& pixels, const VectorLanes& point,
                                          const glm::vec<2, Floats>& uv, Floats inverse_w) const {
         const Ints face = pixels.face();
