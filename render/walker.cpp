@@ -49,8 +49,10 @@ void gather_on_screen(const ObjectPass& pass, raster::FaceItem item,
         w_min = std::min(w_min, attributes.w[v]);
     corners.clear();
     for (const std::uint32_t v : vertices) {
-        const auto& p = pass.polygons;
-        auto& corner = corners.emplace_back(raster::ScreenVertex<N>{p.x[v], p.y[v], p.z[v], {}});
+        auto& corner = corners.emplace_back();  // filled in its place: a copy would wait for it
+        corner.x = pass.polygons.x[v];
+        corner.y = pass.polygons.y[v];
+        corner.z = pass.polygons.z[v];
         const float scale = attributes.perspective_correct ? w_min / attributes.w[v] : 1.0f;
         for (std::size_t k = 0; k < N; ++k)
             corner.attributes[k] =
