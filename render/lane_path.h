@@ -33,8 +33,8 @@ struct LanePath {
     /// Illuminates vertices [begin, end), begin a multiple of 64. The largest finite channel.
     float (*light_vertices)(ObjectPass&, std::size_t begin, std::size_t end);
 
-    /// Fills in `face_uv_steps` of faces [begin, end).
-    void (*find_face_uv_steps)(ObjectPass&, std::size_t begin, std::size_t end);
+    /// Fills in `face_uvs` of faces [begin, end).
+    void (*find_face_uvs)(ObjectPass&, std::size_t begin, std::size_t end);
 
     /// Draws polygons of the object into the band. Pixels keep their colour where there is
     /// `light_at_once`; else the polygon's item and the object's attributes.

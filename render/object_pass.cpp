@@ -85,7 +85,7 @@ bool has_large_faces(const ObjectPass& pass) {
 
 std::size_t ObjectPass::bytes() const {
     std::size_t sum = vertices.bytes() + front.bytes() + back.bytes();
-    sum += raster::bytes_held(vertex_material, face_uv_steps, bins);
+    sum += raster::bytes_held(vertex_material, face_uvs, bins);
     for (const raster::Bin& bin : bins)
         sum += bin.bytes();
     for (const ShadowSides& shadow : sides)
@@ -112,14 +112,14 @@ void ObjectPass::begin(const Object& begun, std::size_t first_face, const Frame&
 void ObjectPass::begin_textures() {
     textured = {mesh().vertices.has_colors(), false};
     textures.clear();
-    face_uv_steps.clear();
+    face_uvs.clear();
     if (settings.shading != Shading::phong || !is_textured(*object, *frame)) return;
     textured = textured_attributes(*object);
     textures = placed_textures(*object);
     face_matrices = render::face_matrices(*object, *frame);
     needs = site_needs(*object);
-    if (needs.uv_steps && textured.has_uvs && has_large_faces(*this))
-        face_uv_steps.resize(mesh().face_count());
+    const bool asks_faces = textured.has_uvs && (needs.uv_steps || needs.gradients);
+    if (asks_faces && has_large_faces(*this)) face_uvs.resize(mesh().face_count());
     uv_unit = textured.has_uvs ? uv_unit_of(mesh().vertices) : 1.0f;
 }
 

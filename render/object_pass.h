@@ -56,7 +56,7 @@ struct ObjectPass {
     float uv_unit = 1.0f;                       // by which (u, v) are divided
     shading::SiteNeeds needs;
     FaceMatrices face_matrices;
-    std::vector<FaceUvSteps<float>> face_uv_steps;  // of each face, where that pays; else empty
+    std::vector<FaceUvs<float>> face_uvs;  // of each face, where that pays; else empty
     raster::PolygonStreams polygons;
     raster::Attributes attributes;
     std::vector<raster::Bin> bins;                          // by stretches of faces

@@ -173,8 +173,8 @@ private:
         for_each_piece(
             memory_.passes, faces_a_piece, face_count, [&](int worker, const Piece& piece) {
                 ObjectPass& pass = *piece.pass;
-                if (!pass.face_uv_steps.empty())
-                    memory_.path.find_face_uv_steps(pass, piece.begin, piece.end);
+                if (!pass.face_uvs.empty())
+                    memory_.path.find_face_uvs(pass, piece.begin, piece.end);
                 const Cull cull = pass.settings.cull;
                 const raster::CullRule rule{cull == Cull::front, cull == Cull::back};
                 raster::fill_bin(

@@ -123,44 +123,51 @@ shading::PixelSteps<shading::Vec3<Real>> steps_at(const FaceSteps<Real>& steps,
     return {moved(steps.right), moved(steps.down)};
 }
 
-/// How (u, v) of a face go on from pixel to pixel, homogeneous: see `uv_steps_at`. The third is how
-/// w does.
-template <class Real>
-using FaceUvSteps = shading::PixelSteps<shading::Vec3<Real>>;
-
-/// Of a face whose u and v are linear functions of the point, see `mesh::Mesh`, and whose plane is
-/// normal.p = offset; object space.
-template <class Real>
-FaceUvSteps<Real> face_uv_steps(const glm::mat4& object_from_screen,
-                                const shading::Vec3<Real>& normal, Real offset,
-                                const glm::vec<4, Real>& u, const glm::vec<4, Real>& v) {
-    const auto steps = face_steps(object_from_screen, object_from_screen, normal, offset);
-    const auto change = [](const glm::vec<4, Real>& function, const glm::vec<4, Real>& step) {
-        return (function.x * step.x + function.y * step.y) +
-               (function.z * step.z + function.w * step.w);
-    };
-    const auto changes = [&](const glm::vec<4, Real>& step) {
-        return shading::Vec3<Real>(change(u, step), change(v, step), step.w);
-    };
-    return {changes(steps.right), changes(steps.down)};
-}
-
-/// From (u, v) of what a pixel shows of a face to those of the next ones.
-template <class Real>
-shading::PixelSteps<glm::vec<2, Real>> uv_steps_at(const FaceUvSteps<Real>& steps,
-                                                   const glm::vec<2, Real>& uv, Real inverse_w) {
-    const auto moved = [&](const shading::Vec3<Real>& step) {
-        return glm::vec<2, Real>((step.x - uv.x * step.z) * inverse_w,
-                                 (step.y - uv.y * step.z) * inverse_w);
-    };
-    return {moved(steps.right), moved(steps.down)};
-}
-
 /// A gradient by the inverse transpose of the matrix that takes points.
 template <class Real>
 shading::Vec3<Real> transformed_gradient(const glm::mat3& m, const shading::Vec3<Real>& g) {
     return {direction_component(m, 0, g), direction_component(m, 1, g),
             direction_component(m, 2, g)};
+}
+
+/// (u, v) over a face: how they go on from pixel to pixel, homogeneous, see `uv_steps_at` (the
+/// third is how w does); and their gradients.
+template <class Real>
+struct FaceUvs {
+    shading::PixelSteps<shading::Vec3<Real>> steps;
+    shading::UvGradients<Real> gradients;
+};
+
+/// Of a face whose u and v are linear functions of the point, see `mesh::Mesh`, and whose plane is
+/// normal.p = offset; object space.
+template <class Real>
+FaceUvs<Real> face_uvs(const FaceMatrices& m, const shading::Vec3<Real>& normal, Real offset,
+                       const glm::vec<4, Real>& u, const glm::vec<4, Real>& v) {
+    using Vector = shading::Vec3<Real>;
+    const auto steps = face_steps(m.object_from_screen, m.object_from_screen, normal, offset);
+    const auto change = [](const glm::vec<4, Real>& function, const glm::vec<4, Real>& step) {
+        return (function.x * step.x + function.y * step.y) +
+               (function.z * step.z + function.w * step.w);
+    };
+    const auto changes = [&](const glm::vec<4, Real>& step) {
+        return Vector(change(u, step), change(v, step), step.w);
+    };
+    const auto gradient = [&](const glm::vec<4, Real>& f) {
+        return transformed_gradient(m.gradients_from_object, Vector(f.x, f.y, f.z));
+    };
+    return {{changes(steps.right), changes(steps.down)}, {gradient(u), gradient(v)}};
+}
+
+/// From (u, v) of what a pixel shows of a face to those of the next ones.
+template <class Real>
+shading::PixelSteps<glm::vec<2, Real>> uv_steps_at(
+    const shading::PixelSteps<shading::Vec3<Real>>& steps, const glm::vec<2, Real>& uv,
+    Real inverse_w) {
+    const auto moved = [&](const shading::Vec3<Real>& step) {
+        return glm::vec<2, Real>((step.x - uv.x * step.z) * inverse_w,
+                                 (step.y - uv.y * step.z) * inverse_w);
+    };
+    return {moved(steps.right), moved(steps.down)};
 }
 
 /// A surface that is to be lit, with what its textures need. `outward` is -1 where its back is

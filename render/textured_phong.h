@@ -25,8 +25,7 @@ public:
         const PlacedTextures& textures;
         glm::vec3 normal;  // of the side seen
         FaceSteps<float> steps;
-        FaceUvSteps<float> uv_steps;
-        shading::UvGradients<float> gradients;
+        FaceUvs<float> uvs;
         float outward;
     };
 
@@ -59,16 +58,10 @@ public:
                         face_steps(matrices_.object_from_screen, matrices_.world_from_screen,
                                    mesh.face_normals[face], mesh.face_offset[face]),
                         {},
-                        {},
                         side == Side::front ? 1.0f : -1.0f};
         if constexpr (has.has_uvs) {
-            const glm::vec4& u = mesh.face_u[face];
-            const glm::vec4& v = mesh.face_v[face];
-            polygon.uv_steps = face_uv_steps(matrices_.object_from_screen, mesh.face_normals[face],
-                                             mesh.face_offset[face], u, v);
-            const glm::mat3& m = matrices_.gradients_from_object;
-            polygon.gradients = {transformed_gradient(m, glm::vec3(u)),
-                                 transformed_gradient(m, glm::vec3(v))};
+            polygon.uvs = face_uvs(matrices_, mesh.face_normals[face], mesh.face_offset[face],
+                                   mesh.face_u[face], mesh.face_v[face]);
         }
         return polygon;
     }
@@ -83,7 +76,7 @@ public:
         const float inverse_w = 1.0f / point_component(frame_.world_from_screen, 3, screen);
         const glm::vec2 uv = own_uv(a);
         return {{point, normal, frame_.view_from(point)},
-                {point, uv, uv_steps_at(polygon.uv_steps, uv, inverse_w), polygon.gradients,
+                {point, uv, uv_steps_at(polygon.uvs.steps, uv, inverse_w), polygon.uvs.gradients,
                  steps_at(polygon.steps, point, inverse_w)},
                 color(a),
                 polygon.outward};

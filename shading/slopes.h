@@ -31,10 +31,9 @@ struct TexelSlopes {
     }
 };
 
-/// -1 where a mirror image of the texture is seen, which falls where it rises; else 1.
+/// -1 where a mirror image of a texture is seen, which falls where it rises; else 1.
 template <class Real>
-Real mirror_sign(Real u, Wrap wrap) noexcept {
-    if (wrap != Wrap::mirror) return Real(1);
+Real mirror_sign(Real u) noexcept {
     return select(wrapped(u * Real(0.5), Wrap::repeat) > Real(0.5), Real(-1), Real(1));
 }
 
@@ -43,7 +42,8 @@ template <class Real>
 Slopes<Real> slopes_at(const TexelImage& image, Filter filter, Wrap wrap, Real u, Real v,
                        Real squared_texels) noexcept {
     const auto slopes = sampled<TexelSlopes<Real>>(image, filter, wrap, u, v, squared_texels);
-    return {slopes.u * mirror_sign(u, wrap), slopes.v * mirror_sign(v, wrap)};
+    if (wrap != Wrap::mirror) return slopes;
+    return {slopes.u * mirror_sign(u), slopes.v * mirror_sign(v)};
 }
 
 }  // namespace scanlight::shading

@@ -315,20 +315,41 @@ Slopes<Real> image_slopes(const Texture& t, const TextureSpot<Real>& spot) noexc
             slopes.v * Real(rise * static_cast<float>(t.image->height()))};
 }
 
+template <class Real>
+Slopes<Real> height_slopes(const Texture& t, const TextureSpot<Real>& spot) noexcept {
+    return t.pattern == Pattern::image ? image_slopes(t, spot) : function_slopes(t, spot.u, spot.v);
+}
+
+/// On the mesh's own (u, v).
+template <class Real>
+Vec3<Real> own_height_gradient(const PlacedTexture& placed,
+                               const TextureSite<Real>& site) noexcept {
+    const Texture& t = *placed.texture;
+    const Slopes<Real> F = height_slopes(t, spot_on(placed, site));
+    return site.gradients.u * (F.u * Real(t.repeat.x)) +
+           site.gradients.v * (F.v * Real(t.repeat.y));
+}
+
+template <class Real>
+[[gnu::noinline]] Vec3<Real> mapped_height_gradient(const PlacedTexture& placed,
+                                                    const TextureSite<Real>& site) noexcept {
+    const TexturePlace<Real> place = place_on(placed, site);
+    const Slopes<Real> F = height_slopes(*placed.texture, spot_at(*placed.texture, place, site));
+    return place.grad_u * F.u + place.grad_v * F.v;
+}
+
 /// How the texture's luminance, a height, grows along the surface, world space. An image is one of
 /// slopes: see `slopes_of`.
 template <class Real>
 [[gnu::noinline]] Vec3<Real> height_gradient_at(const PlacedTexture& placed,
                                                 const TextureSite<Real>& site) noexcept {
     const Texture& t = *placed.texture;
-    if (fills_space(t.pattern)) {
-        const Vec3<Real> p = mapped_point(placed.texture_from_world, site.point);
-        return gradient_before(placed.texture_from_world, solid_height_gradient(t, p));
+    if (!fills_space(t.pattern)) {
+        return t.mapping == Mapping::uv ? own_height_gradient(placed, site)
+                                        : mapped_height_gradient(placed, site);
     }
-    const TexturePlace<Real> place = place_on(placed, site);
-    const Slopes<Real> F = t.pattern == Pattern::image ? image_slopes(t, spot_at(t, place, site))
-                                                       : function_slopes(t, place.u, place.v);
-    return place.grad_u * F.u + place.grad_v * F.v;
+    const Vec3<Real> p = mapped_point(placed.texture_from_world, site.point);
+    return gradient_before(placed.texture_from_world, solid_height_gradient(t, p));
 }
 
 }  // namespace scanlight::shading

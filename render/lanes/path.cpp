@@ -1,12 +1,12 @@
 #include "render/lane_path.h"
 
 #include "raster/lanes/band_painter.h"
+#include "render/lanes/face_uvs.h"
 #include "render/lanes/keep_color.h"
 #include "render/lanes/layers.h"
 #include "render/lanes/light_row.h"
 #include "render/lanes/light_vertices.h"
 #include "render/lanes/store.h"
-#include "render/lanes/uv_steps.h"
 #include "render/lanes/vertices.h"
 
 namespace scanlight::raster::HWY_NAMESPACE {
@@ -88,7 +88,7 @@ extern const LanePath lane_path;
 const LanePath lane_path{&raster::HWY_NAMESPACE::lane_path,
                          place_vertices,
                          light_vertices,
-                         find_face_uv_steps,
+                         find_face_uvs,
                          see,
                          store_band,
                          light_band,

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "render/lanes/face_uvs.h"
 #include "render/lanes/pixel_lanes.h"
-#include "render/lanes/uv_steps.h"
 #include "render/textured.h"
 
 namespace scanlight::render::HWY_NAMESPACE {
@@ -50,7 +50,8 @@ private:
     shading::TextureSite<Floats> site_at(const PixelLanes& pixels, const VectorLanes& point,
                                          const glm::vec<2, Floats>& uv, Floats inverse_w) const {
         const Ints face = pixels.face();
-        return {point, uv, uv_steps(face, uv, inverse_w), gradients(face),
+        const FaceUvs<Floats> uvs = uvs_over(face);
+        return {point, uv, uv_steps_at(uvs.steps, uv, inverse_w), uvs.gradients,
                 steps(face, point, inverse_w)};
     }
 
@@ -66,21 +67,11 @@ private:
         return {uv.x * unit, uv.y * unit};
     }
 
-    shading::PixelSteps<glm::vec<2, Floats>> uv_steps(Ints face, const glm::vec<2, Floats>& uv,
-                                                      Floats inverse_w) const {
-        const glm::vec<2, Floats> none(Floats(0));
-        if (!pass_.textured.has_uvs || !pass_.needs.uv_steps) return {none, none};
-        return uv_steps_at(face_uv_steps(pass_, face), uv, inverse_w);
-    }
-
-    shading::UvGradients<Floats> gradients(Ints face) const {
+    FaceUvs<Floats> uvs_over(Ints face) const {
         const VectorLanes none(Floats(0));
-        if (!pass_.textured.has_uvs || !pass_.needs.gradients) return {none, none};
-        const glm::mat3& m = pass_.face_matrices.gradients_from_object;
-        const auto gradient = [&](const std::vector<glm::vec4>& functions) {
-            return transformed_gradient(m, face_gradient(functions, face));
-        };
-        return {gradient(pass_.mesh().face_u), gradient(pass_.mesh().face_v)};
+        const bool needed = pass_.needs.uv_steps || pass_.needs.gradients;
+        if (!pass_.textured.has_uvs || !needed) return {{none, none}, {none, none}};
+        return uvs_of_faces(pass_, face);
     }
 
     shading::PixelSteps<VectorLanes> steps(Ints face, const VectorLanes& point,

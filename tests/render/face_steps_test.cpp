@@ -77,7 +77,7 @@ TEST(FaceSteps, AreHowThePointOfThePlaneMoves) {
     }
 }
 
-TEST(FaceUvSteps, AreHowUAndVOfThePlaneChange) {
+TEST(FaceUvs, GoOnAsUAndVOfThePlaneChange) {
     Random random(7);
     for (int i = 0; i < 500; ++i) {
         const Plane plane = random_plane(random);
@@ -88,9 +88,8 @@ TEST(FaceUvSteps, AreHowUAndVOfThePlaneChange) {
         const auto uv_at = [&](const glm::dvec2& place) {
             return glm::dvec2(plane.value_at(u, place), plane.value_at(v, place));
         };
-        const auto of_face =
-            face_uv_steps(plane.matrices.object_from_screen, plane.normal, plane.offset, u, v);
-        const auto steps = uv_steps_at(of_face, uv_at(here), plane.inverse_w_at(here));
+        const auto of_face = face_uvs(plane.matrices, plane.normal, plane.offset, u, v);
+        const auto steps = uv_steps_at(of_face.steps, uv_at(here), plane.inverse_w_at(here));
         const auto check = [&](const glm::dvec2& found, const glm::dvec2& way) {
             const glm::dvec2 moved = (uv_at(here + h * way) - uv_at(here - h * way)) / (2.0 * h);
             EXPECT_LT(glm::length(found - moved), 2e-3 * glm::length(moved)) << i;

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstddef>
+
+#include "render/lanes/pixel_lanes.h"
+#include "render/textured.h"
+
+namespace scanlight::render::HWY_NAMESPACE {
+
+// (u, v) over the faces: worked out once a face and picture where faces have many pixels, else as
+// often as they are asked for. The same bits.
+
+/// Vectors that lie one after another in memory.
+inline glm::vec<4, Floats> gather(const std::vector<glm::vec4>& vectors, Ints index) {
+    const float* base = &vectors.data()->x;
+    const Ints first = index * Ints(4);
+    return {gather(base, first), gather(base, first + Ints(1)), gather(base, first + Ints(2)),
+            gather(base, first + Ints(3))};
+}
+
+/// A lane is a face.
+inline FaceUvs<Floats> worked_out_uvs(const ObjectPass& pass, Ints face) {
+    const mesh::Mesh& mesh = pass.mesh();
+    return face_uvs(pass.face_matrices, gather(mesh.face_normals, face),
+                    gather(mesh.face_offset.data(), face), gather(mesh.face_u, face),
+                    gather(mesh.face_v, face));
+}
+
+/// Vectors of a table of faces, whose rows they fill.
+struct FaceRows {
+    static constexpr int size = 12;  // numbers
+
+    explicit FaceRows(const FaceUvs<Floats>& uvs) {
+        const auto& [steps, gradients] = uvs;
+        const VectorLanes* const vectors[] = {&steps.right, &steps.down, &gradients.u,
+                                              &gradients.v};
+        for (int k = 0; k < size; ++k)
+            store((*vectors[k / 3])[k % 3], lanes_[k]);
+    }
+    FaceUvs<float> operator[](std::size_t lane) const {
+        const auto vector = [&](int k) {
+            return glm::vec3(lanes_[k][lane], lanes_[k + 1][lane], lanes_[k + 2][lane]);
+        };
+        return {{vector(0), vector(3)}, {vector(6), vector(9)}};
+    }
+
+private:
+    float lanes_[size][lane_count];
+};
+
+/// Faces [begin, end) of a pass that keeps them.
+SCANLIGHT_FLATTEN inline void find_face_uvs(ObjectPass& pass, std::size_t begin, std::size_t end) {
+    const Ints last(static_cast<std::int32_t>(end) - 1);
+    for (std::size_t i = begin; i < end; i += lane_count) {
+        const Ints face = min(Ints(static_cast<std::int32_t>(i)) + iota(), last);
+        const FaceRows rows(worked_out_uvs(pass, face));
+        for (std::size_t j = 0; j < std::min<std::size_t>(lane_count, end - i); ++j)
+            pass.face_uvs[i + j] = rows[j];
+    }
+}
+
+/// Some numbers of each pixel's face, out of one row of `stride` numbers a face. Where all show one
+/// face its numbers are fetched once. To do the same for each of a few faces takes more time than
+/// gathering, for their count cannot be foretold.
+template <int count>
+void fetch_rows(const float* rows, int stride, Ints face, Floats* to) {
+    const std::int32_t first = first_lane(face);
+    if (all(face == Ints(first))) {
+        for (int k = 0; k < count; ++k)
+            to[k] = Floats(rows[std::ptrdiff_t{first} * stride + k]);
+        return;
+    }
+    const Ints row = face * Ints(stride);
+    for (int k = 0; k < count; ++k)
+        to[k] = gather(rows + k, row);
+}
+
+/// Of the pixels' faces; without the gradients, which are any, where nobody needs them.
+inline FaceUvs<Floats> uvs_of_faces(const ObjectPass& pass, Ints face) {
+    if (pass.face_uvs.empty()) return worked_out_uvs(pass, face);
+    const float* rows = &pass.face_uvs.data()->steps.right.x;
+    Floats n[FaceRows::size];
+    if (pass.needs.gradients) {
+        fetch_rows<FaceRows::size>(rows, FaceRows::size, face, n);
+    } else {
+        fetch_rows<6>(rows, FaceRows::size, face, n);
+        std::fill_n(n + 6, 6, Floats(0));
+    }
+    return {{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}}, {{n[6], n[7], n[8]}, {n[9], n[10], n[11]}}};
+}
+
+}  // namespace scanlight::render::HWY_NAMESPACE
