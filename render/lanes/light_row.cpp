@@ -60,11 +60,9 @@ private:
         if (!any(pixels.shown)) return false;
         pixels.x = x;
         pixels.y = y;
-        pixels.depth = load(at.depth);
+        pixels.place = at;
         pixels.shadowed = shadows_ == nullptr ? Ints(0) : load(shadows_->row(y) + x);
         pixels.item = all(pixels.shown) ? item : with_neighbours(item, pixels.shown);
-        for (int k = 0; k < technique_.attributes; ++k)
-            pixels.attributes[k] = load(at.kept(k + 1));
         return true;
     }
 

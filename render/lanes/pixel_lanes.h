@@ -110,12 +110,13 @@ struct FaceLanes {
 /// A vector of pixels in a row.
 struct PixelLanes : FaceLanes {
     int x, y;
-    Ints depth;
-    Ints attributes[raster::most_attributes];
+    raster::PixelPlace place;  // of the first
 
+    Ints depth() const { return load(place.depth); }
+    Ints attribute(int k) const { return load(place.kept(k + 1)); }
     VectorLanes vector(int first) const {
-        return {float_lanes(attributes[first]), float_lanes(attributes[first + 1]),
-                float_lanes(attributes[first + 2])};
+        return {float_lanes(attribute(first)), float_lanes(attribute(first + 1)),
+                float_lanes(attribute(first + 2))};
     }
 };
 
@@ -150,7 +151,7 @@ inline ColorLanes undivided_lanes(const Ints* a_q, float unit) {
 inline VectorLanes screen_at(const PixelLanes& pixels) {
     return {floats_of(Ints(pixels.x) + iota()) + Floats(0.5f),
             Floats(static_cast<float>(pixels.y) + 0.5f),
-            floats_of(pixels.depth) * Floats(raster::ndc_a_depth)};
+            floats_of(pixels.depth()) * Floats(raster::ndc_a_depth)};
 }
 
 /// Of the side seen, world space.

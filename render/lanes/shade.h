@@ -15,7 +15,6 @@ namespace scanlight::render::HWY_NAMESPACE {
 /// One intensity a face: see `FlatTechnique`.
 class FlatLanes {
 public:
-    static constexpr int attributes = 0;
     struct Surface {};
 
     explicit FlatLanes(const ObjectPass& pass) : pass_(pass) {}
@@ -98,7 +97,11 @@ public:
     /// Of one step of an attribute: a power of two.
     float unit() const { return unit_ / raster::attribute_one; }
 
-    Surface surface(const PixelLanes& pixels) const { return color_of(pixels.attributes); }
+    Surface surface(const PixelLanes& pixels) const {
+        const Ints a_q[] = {pixels.attribute(0), pixels.attribute(1), pixels.attribute(2),
+                            pixels.attribute(3)};
+        return color_of(a_q);
+    }
     ColorLanes light(const FaceLanes&, const Surface& color) const { return color; }
     Floats opacity(const PixelLanes& pixels) const { return material_opacity(pass_, pixels); }
     ColorLanes color_of(const Ints* attributes) const { return undivided_lanes(attributes, unit_); }
@@ -112,7 +115,6 @@ private:
 template <class Model, Paint paint>
 class PhongLanes {
 public:
-    static constexpr int attributes = paint == Paint::vertices ? 7 : 3;
     struct Surface {
         shading::Surface<Floats> seen;
         ColorLanes color;  // the vertices'
@@ -143,7 +145,9 @@ private:
 
     static ColorLanes vertex_color(const PixelLanes& pixels) {
         if constexpr (paint != Paint::vertices) return ColorLanes(Floats(0));
-        return undivided_lanes(pixels.attributes + 3, 1.0f);
+        const Ints a_q[] = {pixels.attribute(3), pixels.attribute(4), pixels.attribute(5),
+                            pixels.attribute(6)};
+        return undivided_lanes(a_q, 1.0f);
     }
 
     const ObjectPass& pass_;

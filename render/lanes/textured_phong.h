@@ -12,11 +12,9 @@ namespace scanlight::render::HWY_NAMESPACE {
 template <class Model>
 class TexturedPhongLanes {
 public:
-    const int attributes;
     using Surface = TexturedSurface<Floats>;
 
-    TexturedPhongLanes(const ObjectPass& pass, const Model& model)
-        : attributes(pass.textured.count()), pass_(pass), model_(model) {}
+    TexturedPhongLanes(const ObjectPass& pass, const Model& model) : pass_(pass), model_(model) {}
 
     /// Each part is made in its place: to copy such long ones would take its time.
     Surface surface(const PixelLanes& pixels) const {
@@ -87,9 +85,9 @@ private:
 
     /// So many attributes from the `first` on, divided by q.
     ColorLanes undivided(const PixelLanes& pixels, int first, int count) const {
-        const Ints* a = pixels.attributes;
-        const Ints third = count == 3 ? a[first + 2] : Ints(0);
-        const Ints a_q[4] = {a[first], a[first + 1], third, a[pass_.textured.q()]};
+        const Ints third = count == 3 ? pixels.attribute(first + 2) : Ints(0);
+        const Ints a_q[] = {pixels.attribute(first), pixels.attribute(first + 1), third,
+                            pixels.attribute(pass_.textured.q())};
         return undivided_lanes(a_q, 1.0f);
     }
 
