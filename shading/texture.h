@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -63,14 +64,14 @@ struct UvGradients {
     Vec3<Real> u, v;
 };
 
-/// Where a texture is looked up. What no texture needs may be zero, see `SiteNeeds`.
+/// Where a texture is looked up. The last three are there where a texture needs them.
 template <class Real>
 struct TextureSite {
-    Vec3<Real> point;                        // that is seen, world space
-    glm::vec<2, Real> uv;                    // the mesh's own
-    PixelSteps<glm::vec<2, Real>> uv_steps;  // of these
-    UvGradients<Real> gradients;
-    PixelSteps<Vec3<Real>> steps;  // along the surface, world space
+    Vec3<Real> point;      // that is seen, world space
+    glm::vec<2, Real> uv;  // the mesh's own
+    std::optional<PixelSteps<glm::vec<2, Real>>> uv_steps;
+    std::optional<UvGradients<Real>> gradients;
+    std::optional<PixelSteps<Vec3<Real>>> steps;  // along the surface, world space
 };
 
 /// What of a `TextureSite` textures need, beside the point and (u, v).
@@ -140,7 +141,7 @@ TexturePlace<Real> place_on(const PlacedTexture& placed, const TextureSite<Real>
     const Texture& t = *placed.texture;
     const TexturePlace<Real> place =
         t.mapping == Mapping::uv
-            ? TexturePlace<Real>{site.uv.x, site.uv.y, site.gradients.u, site.gradients.v}
+            ? TexturePlace<Real>{site.uv.x, site.uv.y, site.gradients->u, site.gradients->v}
             : place_by_mapping(placed, site.point);
     const glm::vec<2, Real> uv = repeated(t, place.u, place.v);
     return {uv.x, uv.y, place.grad_u * Real(t.repeat.x), place.grad_v * Real(t.repeat.y)};
@@ -178,7 +179,7 @@ template <class Real>
 Real squared_texels(const Texture& t, const TextureSite<Real>& site) noexcept {
     const auto width = static_cast<float>(t.image->width());
     const auto height = static_cast<float>(t.image->height());
-    return larger_square(site.uv_steps, width * t.repeat.x, height * t.repeat.y);
+    return larger_square(*site.uv_steps, width * t.repeat.x, height * t.repeat.y);
 }
 
 template <class Real>
@@ -196,7 +197,7 @@ TextureSpot<Real> spot_at(const Texture& t, const TexturePlace<Real>& place,
     if (!t.is_filtered()) return {place.u, place.v, Real(0)};
     return {
         place.u, place.v,
-        t.mapping == Mapping::uv ? squared_texels(t, site) : squared_texels(t, place, site.steps)};
+        t.mapping == Mapping::uv ? squared_texels(t, site) : squared_texels(t, place, *site.steps)};
 }
 
 /// Without the gradients, which cost more than all else of the mesh's own place.
@@ -326,8 +327,8 @@ Vec3<Real> own_height_gradient(const PlacedTexture& placed,
                                const TextureSite<Real>& site) noexcept {
     const Texture& t = *placed.texture;
     const Slopes<Real> F = height_slopes(t, spot_on(placed, site));
-    return site.gradients.u * (F.u * Real(t.repeat.x)) +
-           site.gradients.v * (F.v * Real(t.repeat.y));
+    return site.gradients->u * (F.u * Real(t.repeat.x)) +
+           site.gradients->v * (F.v * Real(t.repeat.y));
 }
 
 template <class Real>

@@ -18,9 +18,11 @@ inline glm::vec<4, Floats> gather(const std::vector<glm::vec4>& vectors, Ints in
             gather(base, first + Ints(3))};
 }
 
-/// A lane is a face.
+/// A lane is a face. Zero where the mesh has no (u, v).
 inline FaceUvs<Floats> worked_out_uvs(const ObjectPass& pass, Ints face) {
     const mesh::Mesh& mesh = pass.mesh();
+    const VectorLanes zero(Floats(0));
+    if (mesh.face_u.empty()) return {{zero, zero}, {zero, zero}};
     return face_uvs(pass.face_matrices, gather(mesh.face_normals, face),
                     gather(mesh.face_offset.data(), face), gather(mesh.face_u, face),
                     gather(mesh.face_v, face));
@@ -75,18 +77,20 @@ void fetch_rows(const float* rows, int stride, Ints face, Floats* to) {
         to[k] = gather(rows + k, row);
 }
 
-/// Of the pixels' faces; without the gradients, which are any, where nobody needs them.
-inline FaceUvs<Floats> uvs_of_faces(const ObjectPass& pass, Ints face) {
-    if (pass.face_uvs.empty()) return worked_out_uvs(pass, face);
-    const float* rows = &pass.face_uvs.data()->steps.right.x;
-    Floats n[FaceRows::size];
-    if (pass.needs.gradients) {
-        fetch_rows<FaceRows::size>(rows, FaceRows::size, face, n);
-    } else {
-        fetch_rows<6>(rows, FaceRows::size, face, n);
-        std::fill_n(n + 6, 6, Floats(0));
-    }
-    return {{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}}, {{n[6], n[7], n[8]}, {n[9], n[10], n[11]}}};
+// Of the pixels' faces.
+
+inline shading::PixelSteps<VectorLanes> face_uv_steps(const ObjectPass& pass, Ints face) {
+    if (pass.face_uvs.empty()) return worked_out_uvs(pass, face).steps;
+    Floats n[6];
+    fetch_rows<6>(&pass.face_uvs.data()->steps.right.x, FaceRows::size, face, n);
+    return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+}
+
+inline shading::UvGradients<Floats> face_gradients(const ObjectPass& pass, Ints face) {
+    if (pass.face_uvs.empty()) return worked_out_uvs(pass, face).gradients;
+    Floats n[6];
+    fetch_rows<6>(&pass.face_uvs.data()->gradients.u.x, FaceRows::size, face, n);
+    return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
 }
 
 }  // namespace scanlight::render::HWY_NAMESPACE

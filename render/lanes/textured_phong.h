@@ -48,8 +48,7 @@ private:
     shading::TextureSite<Floats> site_at(const PixelLanes& pixels, const VectorLanes& point,
                                          const glm::vec<2, Floats>& uv, Floats inverse_w) const {
         const Ints face = pixels.face();
-        const FaceUvs<Floats> uvs = uvs_over(face);
-        return {point, uv, uv_steps_at(uvs.steps, uv, inverse_w), uvs.gradients,
+        return {point, uv, uv_steps(face, uv, inverse_w), gradients(face),
                 steps(face, point, inverse_w)};
     }
 
@@ -65,17 +64,21 @@ private:
         return {uv.x * unit, uv.y * unit};
     }
 
-    FaceUvs<Floats> uvs_over(Ints face) const {
-        const VectorLanes none(Floats(0));
-        const bool needed = pass_.needs.uv_steps || pass_.needs.gradients;
-        if (!pass_.textured.has_uvs || !needed) return {{none, none}, {none, none}};
-        return uvs_of_faces(pass_, face);
+    std::optional<shading::PixelSteps<glm::vec<2, Floats>>> uv_steps(Ints face,
+                                                                     const glm::vec<2, Floats>& uv,
+                                                                     Floats inverse_w) const {
+        if (!pass_.needs.uv_steps) return {};
+        return uv_steps_at(face_uv_steps(pass_, face), uv, inverse_w);
     }
 
-    shading::PixelSteps<VectorLanes> steps(Ints face, const VectorLanes& point,
-                                           Floats inverse_w) const {
-        const VectorLanes none(Floats(0));
-        if (!pass_.needs.steps) return {none, none};
+    std::optional<shading::UvGradients<Floats>> gradients(Ints face) const {
+        if (!pass_.needs.gradients) return {};
+        return face_gradients(pass_, face);
+    }
+
+    std::optional<shading::PixelSteps<VectorLanes>> steps(Ints face, const VectorLanes& point,
+                                                          Floats inverse_w) const {
+        if (!pass_.needs.steps) return {};
         const FaceMatrices& m = pass_.face_matrices;
         const auto steps = face_steps(m.object_from_screen, m.world_from_screen,
                                       gather(pass_.mesh().face_normals, face),
