@@ -171,19 +171,21 @@ shading::PixelSteps<glm::vec<2, Real>> uv_steps_at(
 }
 
 /// A surface that is to be lit, with what its textures need. `outward` is -1 where its back is
-/// seen, and 1 elsewhere; `color` multiplies the body's own.
+/// seen, and 1 elsewhere; the vertices' `color`, if they have one, multiplies the body's own.
 template <class Real>
 struct TexturedSurface {
     shading::Surface<Real> surface;
     shading::TextureSite<Real> site;
-    shading::Rgb<Real> color;
+    std::optional<shading::Rgb<Real>> color;
     Real outward;
 };
 
+/// By what a texture and the vertices multiply a material's own colour.
 template <class Real>
-shading::Rgb<Real> color_on(const PlacedTextures::Slot& slot,
-                            const shading::TextureSite<Real>& site) {
-    return slot ? shading::color_at(*slot, site) : shading::Rgb<Real>(Real(1));
+shading::Rgb<Real> color_on(const PlacedTextures::Slot& slot, const TexturedSurface<Real>& s) {
+    if (!slot) return s.color ? *s.color : shading::Rgb<Real>(Real(1));
+    const auto texel = shading::color_at(*slot, s.site);
+    return s.color ? *s.color * texel : texel;
 }
 
 /// The normal as bump and normal map leave it.
@@ -209,11 +211,9 @@ shading::Vec3<Real> wrinkled(const PlacedTextures& textures, const TexturedSurfa
 template <class Real>
 shading::Material<Real> textured(const shading::Material<float>& material,
                                  const PlacedTextures& textures, const TexturedSurface<Real>& s) {
-    const auto body = s.color * color_on(textures.diffuse, s.site);
-    shading::Material<Real> result = painted(material, body);
+    shading::Material<Real> result = painted(material, color_on(textures.diffuse, s));
     if (textures.ambient) {
-        result.ambient =
-            shading::Rgb<Real>(material.ambient) * (s.color * color_on(textures.ambient, s.site));
+        result.ambient = shading::Rgb<Real>(material.ambient) * color_on(textures.ambient, s);
     }
     if (textures.specular)
         result.specular = result.specular * shading::color_at(*textures.specular, s.site);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "raster/fragments.h"
@@ -97,8 +98,8 @@ private:
             a[at(first + i)] = v[i];
     }
 
-    static glm::vec3 color(const Values& a) {
-        if constexpr (!has.has_colors) return glm::vec3(1.0f);
+    static std::optional<glm::vec3> color(const Values& a) {
+        if constexpr (!has.has_colors) return {};
         constexpr std::size_t c = at(has.colors());
         return undivided(glm::vec3(a[c], a[c + 1], a[c + 2]), a[at(has.q())]);
     }

@@ -200,11 +200,17 @@ TextureSpot<Real> spot_at(const Texture& t, const TexturePlace<Real>& place,
         t.mapping == Mapping::uv ? squared_texels(t, site) : squared_texels(t, place, *site.steps)};
 }
 
-/// Without the gradients, which cost more than all else of the mesh's own place.
+template <class Real>
+[[gnu::noinline]] TextureSpot<Real> mapped_spot(const PlacedTexture& placed,
+                                                const TextureSite<Real>& site) noexcept {
+    return spot_at(*placed.texture, place_on(placed, site), site);
+}
+
+/// On the mesh's own (u, v) it needs no gradients, which cost more than all else.
 template <class Real>
 TextureSpot<Real> spot_on(const PlacedTexture& placed, const TextureSite<Real>& site) noexcept {
     const Texture& t = *placed.texture;
-    if (t.mapping != Mapping::uv) return spot_at(t, place_on(placed, site), site);
+    if (t.mapping != Mapping::uv) return mapped_spot(placed, site);
     const glm::vec<2, Real> uv = repeated(t, site.uv.x, site.uv.y);
     return {uv.x, uv.y, t.is_filtered() ? squared_texels(t, site) : Real(0)};
 }

@@ -52,8 +52,8 @@ private:
                 steps(face, point, inverse_w)};
     }
 
-    ColorLanes color(const PixelLanes& pixels) const {
-        if (!pass_.textured.has_colors) return ColorLanes(Floats(1));
+    std::optional<ColorLanes> color(const PixelLanes& pixels) const {
+        if (!pass_.textured.has_colors) return {};
         return undivided(pixels, pass_.textured.colors(), 3);
     }
 
