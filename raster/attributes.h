@@ -23,6 +23,28 @@ struct AttributeStream {
     }
 };
 
+/// One side of an `AttributeStream`, which is asked for without a branch.
+class AttributeSide {
+public:
+    AttributeSide() = default;
+    AttributeSide(const AttributeStream& stream, FaceItem face) {
+        if (stream.front == nullptr) return;
+        const bool is_front = (face & back_flag) == 0;
+        values_ = is_front ? stream.front : stream.back;
+        scale_ = is_front ? stream.front_scale : stream.back_scale;
+        index_mask_ = ~0u;
+    }
+
+    float operator[](std::uint32_t vertex) const { return values_[vertex & index_mask_] * scale_; }
+
+private:
+    static constexpr float one = 1.0f;
+
+    const float* values_ = &one;
+    float scale_ = 1.0f;
+    std::uint32_t index_mask_ = 0;
+};
+
 /// What is interpolated over the polygons of one mesh.
 struct Attributes {
     std::array<AttributeStream, most_attributes> streams;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -60,7 +61,7 @@ constexpr int first_centre(SubPixel coordinate) {
 // Conversions clamp before they convert: what an out-of-range cast gives differs between machines.
 // A NaN becomes `low`.
 inline float clamped(float value, float low, float high) {
-    return value >= low ? (value <= high ? value : high) : low;
+    return std::min(high, std::max(low, value));
 }
 
 /// How far beyond the far plane depth can tell, for what is not clipped there.

@@ -1,7 +1,9 @@
 #include "render/textured.h"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
+#include <cstdint>
+#include <limits>
 
 #include <glm/matrix.hpp>
 
@@ -22,6 +24,18 @@ PlacedTextures placed(const shading::SurfaceTextures& textures,
             place(textures.exponent), place(textures.opacity), place(textures.emission),
             place(textures.bump),     place(textures.normal),  textures.bump_height,
             textures.normal_scale,    textures.mirrored.get()};
+}
+
+/// The largest magnitude. By their bits numbers are in the same order, and many are compared at
+/// once.
+float largest_finite(const std::vector<float>& values) {
+    constexpr auto infinite = std::bit_cast<std::int32_t>(std::numeric_limits<float>::infinity());
+    std::int32_t largest = 0;
+    for (const float value : values) {
+        const std::int32_t bits = std::bit_cast<std::int32_t>(value) & 0x7fffffff;
+        largest = std::max(largest, bits < infinite ? bits : 0);
+    }
+    return std::bit_cast<float>(largest);
 }
 
 }  // namespace
@@ -53,13 +67,7 @@ FaceMatrices face_matrices(const Object& object, const Frame& frame) {
 }
 
 float uv_unit_of(const mesh::Vertices& vertices) {
-    float largest = 0.0f;
-    for (const auto* stream : {&vertices.u, &vertices.v}) {
-        for (const float value : *stream) {
-            if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-        }
-    }
-    return unit_for(largest);
+    return unit_for(std::max(largest_finite(vertices.u), largest_finite(vertices.v)));
 }
 
 raster::Rgba textured_pixel(const TexturedSurface<float>& surface,

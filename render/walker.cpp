@@ -1,5 +1,6 @@
 #include "render/walker.h"
 
+#include <array>
 #include <cassert>
 
 #include "raster/clip.h"
@@ -37,6 +38,15 @@ bool is_inside(const ObjectPass& pass, std::span<const std::uint32_t> vertices) 
     return outside == 0;
 }
 
+template <int N>
+std::array<raster::AttributeSide, N> sides_seen(const raster::Attributes& attributes,
+                                                raster::FaceItem item) {
+    std::array<raster::AttributeSide, N> sides;
+    for (std::size_t k = 0; k < N; ++k)
+        sides[k] = {attributes.streams[k], item};
+    return sides;
+}
+
 /// Corners that the vertex stage has put on the screen, with their attributes as `project_correct`
 /// and `project_affine` scale them.
 template <int N>
@@ -44,6 +54,7 @@ void gather_on_screen(const ObjectPass& pass, raster::FaceItem item,
                       std::span<const std::uint32_t> vertices,
                       std::vector<raster::ScreenVertex<N>>& corners) {
     const auto& attributes = pass.attributes;
+    const auto sides = sides_seen<N>(attributes, item);
     float w_min = attributes.w[vertices.front()];
     for (const std::uint32_t v : vertices)
         w_min = std::min(w_min, attributes.w[v]);
@@ -55,8 +66,7 @@ void gather_on_screen(const ObjectPass& pass, raster::FaceItem item,
         corner.z = pass.polygons.z[v];
         const float scale = attributes.perspective_correct ? w_min / attributes.w[v] : 1.0f;
         for (std::size_t k = 0; k < N; ++k)
-            corner.attributes[k] =
-                raster::attribute_from_float(attributes.streams[k].at(v, item) * scale);
+            corner.attributes[k] = raster::attribute_from_float(sides[k][v] * scale);
     }
 }
 
