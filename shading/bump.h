@@ -53,7 +53,9 @@ template <class Real>
 Vec3<Real> kept_in_sight(const Vec3<Real>& bumped, const Vec3<Real>& n,
                          const Vec3<Real>& view) noexcept {
     const Real along = dot(bumped, view);
-    const auto lost = (along < Real(0)) & (dot(n, view) > Real(0));
+    const auto away = along < Real(0);
+    if (none(away)) return bumped;
+    const auto lost = away & (dot(n, view) > Real(0));
     return select(lost, bumped - view * (Real(2) * along), bumped);
 }
 

@@ -33,13 +33,18 @@ Vec3<Real> select(Mask condition, const Vec3<Real>& yes, const Vec3<Real>& no) n
             select(condition, yes.z, no.z)};
 }
 
-/// unit(v) where |v| lies between 2^-60 and 2^60, else `fallback`: for sums that may vanish.
-/// Never NaN as long as `fallback` is not.
+/// Whether |v| lies between 2^-60 and 2^60.
+template <class Real>
+auto has_direction(const Vec3<Real>& v) noexcept {
+    const Real squared = dot(v, v);
+    return (squared >= Real(0x1p-120f)) & (squared <= Real(0x1p120f));
+}
+
+/// unit(v) where v has a direction, else `fallback`: for sums that may vanish. Never NaN as long as
+/// `fallback` is not.
 template <class Real>
 Vec3<Real> unit_or(const Vec3<Real>& v, const Vec3<Real>& fallback) noexcept {
-    const Real squared = dot(v, v);
-    const auto has_direction = (squared >= Real(0x1p-120f)) & (squared <= Real(0x1p120f));
-    return select(has_direction, unit(v), fallback);
+    return select(has_direction(v), unit(v), fallback);
 }
 
 }  // namespace scanlight::shading

@@ -164,9 +164,8 @@ inline VectorLanes face_normal(const ObjectPass& pass, const PixelLanes& pixels)
 /// The interpolated normal; where opposed ones cancel, the polygon's own.
 inline VectorLanes normal_at(const ObjectPass& pass, const PixelLanes& pixels) {
     const VectorLanes n = pixels.vector(0);
-    const VectorLanes normal = shading::unit_or(n, VectorLanes(Floats(0)));
-    const Mask lost = pixels.shown & !(shading::dot(normal, normal) > Floats(0));
-    return any(lost) ? shading::unit_or(n, face_normal(pass, pixels)) : normal;
+    const Mask lost = pixels.shown & !shading::has_direction(n);
+    return any(lost) ? shading::unit_or(n, face_normal(pass, pixels)) : shading::unit(n);
 }
 
 }  // namespace scanlight::render::HWY_NAMESPACE
