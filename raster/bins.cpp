@@ -101,7 +101,7 @@ void sort_into_bands(const Survivors& survivors, const Bands& bands, Bin& bin) {
 }  // namespace
 
 Bands bands_in_cache(Viewport size, int numbers) {
-    constexpr std::int64_t cache = 1 << 20;  // half of what today's machines have, or all
+    constexpr std::int64_t cache = 5 << 18;  // most of the 2 MiB that there are; or all
     const std::int64_t bytes_a_row = std::int64_t{4} * numbers * size.width;
     Bands bands{size.height};
     while (bands.row_bits > 3 && bytes_a_row << bands.row_bits > cache)

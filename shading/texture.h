@@ -175,29 +175,14 @@ struct TextureSpot {
     Real squared_texels;  // 0 if the texture has no use for it
 };
 
-template <class Real>
-Real squared_texels(const Texture& t, const TextureSite<Real>& site) noexcept {
-    const auto width = static_cast<float>(t.image->width());
-    const auto height = static_cast<float>(t.image->height());
-    return larger_square(*site.uv_steps, width * t.repeat.x, height * t.repeat.y);
-}
-
-template <class Real>
-Real squared_texels(const Texture& t, const TexturePlace<Real>& place,
-                    const PixelSteps<Vec3<Real>>& steps) noexcept {
-    const auto width = static_cast<float>(t.image->width());
-    const auto height = static_cast<float>(t.image->height());
-    return larger_square(steps_on(place, steps), width, height);
-}
-
-/// Of a place on the texture that belongs to a site.
+/// Of a place by an auxiliary surface.
 template <class Real>
 TextureSpot<Real> spot_at(const Texture& t, const TexturePlace<Real>& place,
                           const TextureSite<Real>& site) noexcept {
     if (!t.is_filtered()) return {place.u, place.v, Real(0)};
-    return {
-        place.u, place.v,
-        t.mapping == Mapping::uv ? squared_texels(t, site) : squared_texels(t, place, *site.steps)};
+    const auto width = static_cast<float>(t.image->width());
+    const auto height = static_cast<float>(t.image->height());
+    return {place.u, place.v, larger_square(steps_on(place, *site.steps), width, height)};
 }
 
 template <class Real>
@@ -212,7 +197,10 @@ TextureSpot<Real> spot_on(const PlacedTexture& placed, const TextureSite<Real>& 
     const Texture& t = *placed.texture;
     if (t.mapping != Mapping::uv) return mapped_spot(placed, site);
     const glm::vec<2, Real> uv = repeated(t, site.uv.x, site.uv.y);
-    return {uv.x, uv.y, t.is_filtered() ? squared_texels(t, site) : Real(0)};
+    if (!t.is_filtered()) return {uv.x, uv.y, Real(0)};
+    const auto width = t.repeat.x * static_cast<float>(t.image->width());
+    const auto height = t.repeat.y * static_cast<float>(t.image->height());
+    return {uv.x, uv.y, larger_square(*site.uv_steps, width, height)};
 }
 
 template <class Real>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "render/lanes/pixel_lanes.h"
@@ -28,7 +29,7 @@ inline FaceUvs<Floats> worked_out_uvs(const ObjectPass& pass, Ints face) {
                     gather(mesh.face_v, face));
 }
 
-/// Vectors of a table of faces, whose rows they fill.
+/// Of a vector of faces, a row each: 12 numbers.
 struct FaceRows {
     static constexpr int size = 12;  // numbers
 

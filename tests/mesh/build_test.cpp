@@ -151,7 +151,7 @@ TEST(Build, EachCornerOfAFlatFaceLiesInItsPlane) {
 }
 
 TEST(Build, UAndVOfAFlatFaceAreLinearFunctionsOfThePoint) {
-    const Mesh mesh = build(shape("uv-sphere:12,6")).mesh;
+    const Mesh mesh = build(shape("sphere:12,6")).mesh;
     ASSERT_EQ(mesh.face_u.size(), mesh.face_count());
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
         const auto corners = mesh.face(face);

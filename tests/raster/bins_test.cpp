@@ -29,6 +29,7 @@ TEST(Bands, HoldEachRowOnce) {
 
 TEST(Bands, StayInACoresCache) {
     EXPECT_EQ(bands_in_cache({1920, 1080}, 2).row_bits, 5);
+    EXPECT_EQ(bands_in_cache({1920, 1080}, 5).row_bits, 5);
     EXPECT_EQ(bands_in_cache({1920, 1080}, 8).row_bits, 4);
     EXPECT_EQ(bands_in_cache({max_size, max_size}, 12).row_bits, 3);
 }
