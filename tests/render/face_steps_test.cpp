@@ -59,6 +59,18 @@ Plane random_plane(Random& random) {
     return {face_matrices(object, frame), normal, random.between(-0.5, 0.5)};
 }
 
+/// That `steps` are how `at` changes from pixel to pixel; `off` is relative.
+template <class Vector, class At>
+void expect_steps(const shading::PixelSteps<Vector>& steps, const At& at, const glm::dvec2& here,
+                  double off) {
+    const auto check = [&](const Vector& found, const glm::dvec2& way) {
+        const Vector moved = (at(here + h * way) - at(here - h * way)) / (2.0 * h);
+        EXPECT_LT(glm::length(found - moved), off * glm::length(moved)) << here.x << ' ' << here.y;
+    };
+    check(steps.right, {1, 0});
+    check(steps.down, {0, 1});
+}
+
 TEST(FaceSteps, AreHowThePointOfThePlaneMoves) {
     Random random(5);
     for (int i = 0; i < 500; ++i) {
@@ -67,13 +79,8 @@ TEST(FaceSteps, AreHowThePointOfThePlaneMoves) {
         const glm::dvec2 here(x, random.between(25, 75));
         const glm::dvec3 point = plane.point_at(here);
         const auto steps = steps_at(plane.steps(), point, plane.inverse_w_at(here));
-        const auto check = [&](const glm::dvec3& found, const glm::dvec2& way) {
-            const glm::dvec3 moved =
-                (plane.point_at(here + h * way) - plane.point_at(here - h * way)) / (2.0 * h);
-            EXPECT_LT(glm::length(found - moved), 1e-3 * glm::length(moved)) << i;
-        };
-        check(steps.right, {1, 0});
-        check(steps.down, {0, 1});
+        expect_steps(
+            steps, [&](const glm::dvec2& place) { return plane.point_at(place); }, here, 1e-3);
     }
 }
 
@@ -90,12 +97,7 @@ TEST(FaceUvs, GoOnAsUAndVOfThePlaneChange) {
         };
         const auto of_face = face_uvs(plane.matrices, plane.normal, plane.offset, u, v);
         const auto steps = uv_steps_at(of_face.steps, uv_at(here), plane.inverse_w_at(here));
-        const auto check = [&](const glm::dvec2& found, const glm::dvec2& way) {
-            const glm::dvec2 moved = (uv_at(here + h * way) - uv_at(here - h * way)) / (2.0 * h);
-            EXPECT_LT(glm::length(found - moved), 2e-3 * glm::length(moved)) << i;
-        };
-        check(steps.right, {1, 0});
-        check(steps.down, {0, 1});
+        expect_steps(steps, uv_at, here, 2e-3);
     }
 }
 
