@@ -102,7 +102,7 @@ std::vector<TextureAtPixel> textures_at(const PlacedTextures& t,
 template <class Use>
 void with_dressed(const shading::Material<float>& material, const PlacedTextures& textures,
                   const TexturedSurface<float>& surface, Use&& use) {
-    const auto here = textured(material, textures, surface);
+    const auto here = textured(material, textures, surface, look_of(textures, surface).paint);
     if (!textures.exponent) return use(here);
     use(with_exponent(here, shading::number_at(*textures.exponent, surface.site)));
 }
@@ -111,7 +111,7 @@ void take_surface(PixelLight& pixel, const TexturedSurface<float>& seen,
                   const PlacedTextures& textures) {
     pixel.point = seen.surface.point;
     pixel.V = seen.surface.view;
-    pixel.N = wrinkled(textures, seen);
+    pixel.N = look_of(textures, seen).normal;
     pixel.textures = textures_at(textures, seen.site);
 }
 

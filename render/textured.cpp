@@ -75,8 +75,9 @@ raster::Rgba textured_pixel(const TexturedSurface<float>& surface,
                             const PlacedTextures& textures, const Frame& frame,
                             const Settings& settings) {
     const auto all = [](std::size_t, const glm::vec3& term) { return term; };
+    const Look<float> look = look_of(textures, surface);
     const glm::vec3 color = with_model(settings, [&](const auto& model) {
-        return illuminate_textured(model, surface, material, textures, frame, all);
+        return illuminate_textured(model, surface, look, material, textures, frame, all);
     });
     return raster::Rgba(color, opacity_on(material, textures, surface.site));
 }

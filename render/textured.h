@@ -180,40 +180,104 @@ struct TexturedSurface {
     Real outward;
 };
 
-/// By what a texture and the vertices multiply a material's own colour.
+/// A few surfaces: their textures are looked up together.
 template <class Real>
-shading::Rgb<Real> color_on(const PlacedTextures::Slot& slot, const TexturedSurface<Real>& s) {
-    if (!slot) return s.color ? *s.color : shading::Rgb<Real>(Real(1));
-    const auto texel = shading::color_at(*slot, s.site);
+using Surfaces = shading::Few<const TexturedSurface<Real>*>;
+
+template <class Real>
+shading::Sites<Real> sites_of(const Surfaces<Real>& surfaces) {
+    shading::Sites<Real> sites;
+    for (int i = 0; i < surfaces.count(); ++i)
+        sites.add([&] { return &surfaces[i]->site; });
+    return sites;
+}
+
+/// By what a texture, whose colour there is `texel`, and the vertices multiply a material's colour.
+template <class Real>
+shading::Rgb<Real> color_on(const TexturedSurface<Real>& s, const shading::Rgb<Real>& texel) {
     return s.color ? *s.color * texel : texel;
 }
 
-/// The normal as bump and normal map leave it.
+/// By what the body's own colour is multiplied.
 template <class Real>
-shading::Vec3<Real> wrinkled(const PlacedTextures& textures, const TexturedSurface<Real>& s) {
-    using shading::Vec3;
-    Vec3<Real> N = s.surface.normal;
-    if (!textures.bump && !textures.normal) return N;
+shading::Few<shading::Rgb<Real>> paints_on(const PlacedTextures& textures,
+                                           const Surfaces<Real>& surfaces) {
+    shading::Few<shading::Rgb<Real>> paints;
+    if (!textures.diffuse) {
+        for (int i = 0; i < surfaces.count(); ++i)
+            paints.add([&] { return color_on(*surfaces[i], shading::Rgb<Real>(Real(1))); });
+        return paints;
+    }
+    const auto texels = shading::colors_at(*textures.diffuse, sites_of(surfaces));
+    for (int i = 0; i < surfaces.count(); ++i)
+        paints.add([&] { return color_on(*surfaces[i], texels[i]); });
+    return paints;
+}
+
+/// A normal as the normal map leaves it.
+template <class Real>
+shading::Vec3<Real> mapped(const PlacedTextures& textures, const TexturedSurface<Real>& s,
+                           const shading::Vec3<Real>& N) {
+    if (!textures.normal) return N;
+    const auto texel = shading::color_at(*textures.normal, s.site);
+    const Real scale = Real(2 * textures.normal_scale) * s.outward;
+    const shading::Vec3<Real> map((texel.x - Real(0.5)) * scale, (texel.y - Real(0.5)) * scale,
+                                  texel.z * Real(2) - Real(1));
+    return shading::mapped_normal(N, map, place_on(*textures.normal, s.site));
+}
+
+/// The normals as bump and normal map leave them.
+template <class Real>
+shading::Few<shading::Vec3<Real>> normals_on(const PlacedTextures& textures,
+                                             const Surfaces<Real>& surfaces) {
+    shading::Few<shading::Vec3<Real>> normals;
+    const auto add = [&](int i, auto&& bumped) {
+        const shading::Surface<Real>& smooth = surfaces[i]->surface;
+        normals.add([&] {
+            const auto normal = mapped(textures, *surfaces[i], bumped());
+            return shading::kept_in_sight(normal, smooth.normal, smooth.view);
+        });
+    };
     if (textures.bump) {
-        const auto gradient = shading::height_gradient_at(*textures.bump, s.site);
-        N = shading::bumped_normal(N, gradient * (s.outward * Real(textures.bump_height)));
+        const auto gradients = shading::height_gradients_at(*textures.bump, sites_of(surfaces));
+        for (int i = 0; i < surfaces.count(); ++i) {
+            const Real height = surfaces[i]->outward * Real(textures.bump_height);
+            add(i, [&] {
+                return shading::bumped_normal(surfaces[i]->surface.normal, gradients[i] * height);
+            });
+        }
+        return normals;
     }
-    if (textures.normal) {
-        const auto texel = shading::color_at(*textures.normal, s.site);
-        const Real scale = Real(2 * textures.normal_scale) * s.outward;
-        const Vec3<Real> map((texel.x - Real(0.5)) * scale, (texel.y - Real(0.5)) * scale,
-                             texel.z * Real(2) - Real(1));
-        N = shading::mapped_normal(N, map, place_on(*textures.normal, s.site));
+    for (int i = 0; i < surfaces.count(); ++i) {
+        const shading::Vec3<Real>& N = surfaces[i]->surface.normal;
+        textures.normal ? add(i, [&] { return N; }) : normals.add([&] { return N; });
     }
-    return shading::kept_in_sight(N, s.surface.normal, s.surface.view);
+    return normals;
+}
+
+/// What textures and vertices leave of a surface, and of its body's colour.
+template <class Real>
+struct Look {
+    shading::Vec3<Real> normal;
+    shading::Rgb<Real> paint;
+};
+
+/// At one place.
+template <class Real>
+Look<Real> look_of(const PlacedTextures& textures, const TexturedSurface<Real>& s) {
+    Surfaces<Real> one;
+    one.add([&] { return &s; });
+    return {normals_on(textures, one)[0], paints_on(textures, one)[0]};
 }
 
 template <class Real>
 shading::Material<Real> textured(const shading::Material<float>& material,
-                                 const PlacedTextures& textures, const TexturedSurface<Real>& s) {
-    shading::Material<Real> result = painted(material, color_on(textures.diffuse, s));
+                                 const PlacedTextures& textures, const TexturedSurface<Real>& s,
+                                 const shading::Rgb<Real>& paint) {
+    shading::Material<Real> result = painted(material, paint);
     if (textures.ambient) {
-        result.ambient = shading::Rgb<Real>(material.ambient) * color_on(textures.ambient, s);
+        result.ambient = shading::Rgb<Real>(material.ambient) *
+                         color_on(s, shading::color_at(*textures.ambient, s.site));
     }
     if (textures.specular)
         result.specular = result.specular * shading::color_at(*textures.specular, s.site);
@@ -288,14 +352,15 @@ Real eta_seen(const shading::Material<float>& material, Real outward) {
     return select(outward < Real(0), Real(1.0f / eta), Real(eta));
 }
 
-/// `illuminate`, of a textured surface, in the frame's light.
+/// `illuminate`, of a textured surface that has this look, in the frame's light.
 template <class Model, class Real, class Arriving>
 shading::Rgb<Real> illuminate_textured(const Model& model, const TexturedSurface<Real>& s,
+                                       const Look<Real>& look,
                                        const shading::Material<float>& material,
                                        const PlacedTextures& textures, const Frame& frame,
                                        const Arriving& arriving) {
-    const shading::Surface<Real> surface{s.surface.point, wrinkled(textures, s), s.surface.view};
-    const shading::Material<Real> here = textured(material, textures, s);
+    const shading::Surface<Real> surface{s.surface.point, look.normal, s.surface.view};
+    const shading::Material<Real> here = textured(material, textures, s, look.paint);
     const auto unlit = unlit_textured(surface, here, material, eta_seen(material, s.outward), frame,
                                       textures.mirrored ? textures.mirrored : frame.mirrored);
     if (!textures.exponent)

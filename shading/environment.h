@@ -94,7 +94,7 @@ Rgb<Real> sampled_once(const TexelImage& image, EnvironmentLayout layout, Real u
     const Wrap around = layout == EnvironmentLayout::latitudes ? Wrap::repeat : Wrap::clamp;
     const auto x = neighbours<Real>(wrapped(u, around), finest.width, around);
     const auto y = neighbours<Real>(wrapped(v, Wrap::clamp), finest.height, Wrap::clamp);
-    return bilinear_texel<TexelColor<Real>>(image, finest, x, y);
+    return mixed_texels<TexelColor<Real>>(image, finest, quad_at(finest, x, y));
 }
 
 /// The light that comes from a unit direction, world space.

@@ -2,6 +2,7 @@
 
 #include "shading/angle.h"
 #include "shading/base2.h"
+#include "shading/few.h"
 #include "shading/texel_image.h"
 #include "shading/vector.h"
 
@@ -32,35 +33,36 @@ Real wrapped(Real u, Wrap wrap) noexcept {
     return select(twice > Real(1), Real(2) - twice, twice);
 }
 
-/// Two neighbouring texels along a side, and how near the second is.
+/// Two neighbouring texels along a side, the first from -1 on, and how near the second is.
 template <class Real>
 struct Neighbours {
-    Whole<Real> first, second;
+    Whole<Real> first;
     Real share_of_second;
 };
 
-/// `u` wrapped; `size` of the side, in texels.
+/// `u` wrapped; `size` of the side, in texels. Where nothing is repeated, what lies beyond the
+/// middles of the outermost texels is theirs.
 template <class Real>
 Neighbours<Real> neighbours(Real u, Whole<Real> size, Wrap wrap) noexcept {
     using W = Wholes<Real>;
-    using I = Whole<Real>;
-    const Real x = u * W::real(size) - Real(0.5);
+    const Real texels = W::real(size);
+    Real x = u * texels - Real(0.5);
+    if (wrap != Wrap::repeat) {
+        const Real last = texels - Real(1);
+        const Real positive = positive_part(x);
+        x = select(positive < last, positive, last);
+    }
     const Real whole = floored(x);
-    const I first = W::truncated(whole);
-    const I second = first + I(1);
-    const I last = size - I(1);
-    const bool around = wrap == Wrap::repeat;
-    return {select(first < I(0), around ? last : I(0), first),
-            select(second > last, around ? I(0) : last, second), x - whole};
+    return {W::truncated(whole), x - whole};
 }
 
-// What is wanted of texels. Nothing else of them is fetched.
+// What is wanted of texels, out of an image's words. Nothing else of them is fetched.
 
 /// Their colours, linear.
 template <class Real>
 struct TexelColor {
-    static Rgb<Real> at(const TexelImage& image, Whole<Real> index) noexcept {
-        const auto [red_green, blue_alpha] = Wholes<Real>::fetched_two(image.words(), index);
+    static Rgb<Real> at(const std::int32_t* words, Whole<Real> index) noexcept {
+        const auto [red_green, blue_alpha] = Wholes<Real>::fetched_two(words, index);
         return {real_of_half<Real>(red_green), real_of_high_half<Real>(red_green),
                 real_of_half<Real>(blue_alpha)};
     }
@@ -69,9 +71,8 @@ struct TexelColor {
 /// Their opacity.
 template <class Real>
 struct TexelAlpha {
-    static Real at(const TexelImage& image, Whole<Real> index) noexcept {
-        using W = Wholes<Real>;
-        const Whole<Real> blue_alpha = W::fetched(image.words() + 1, index + index);
+    static Real at(const std::int32_t* words, Whole<Real> index) noexcept {
+        const Whole<Real> blue_alpha = Wholes<Real>::fetched(words + 1, index + index);
         return real_of_high_half<Real>(blue_alpha);
     }
 };
@@ -83,11 +84,17 @@ struct TexelLevel {
 
     /// Level 0.
     explicit TexelLevel(const TexelImage& image) noexcept
-        : width(image.width()), height(image.height()), begin(0) {}
+        : width(image.width()), height(image.height()), begin(image.index(0, 0)) {}
     TexelLevel(const TexelImage& image, Whole<Real> level) noexcept
         : width(Wholes<Real>::fetched(image.widths(), level)),
           height(Wholes<Real>::fetched(image.heights(), level)),
           begin(Wholes<Real>::fetched(image.begins(), level)) {}
+
+    /// From a row to the next.
+    Whole<Real> stride() const noexcept { return width + Whole<Real>(TexelImage::border); }
+    Whole<Real> index(Whole<Real> x, Whole<Real> y) const noexcept {
+        return begin + y * stride() + x;
+    }
 };
 
 template <class Part, class Real>
@@ -99,26 +106,44 @@ auto nearest_texel(const TexelImage& image, const TexelLevel<Real>& level, Real 
         const I whole = W::truncated(x * W::real(size));
         return select(whole < size, whole, size - I(1));
     };
-    return Part::at(image,
-                    level.begin + index(v, level.height) * level.width + index(u, level.width));
+    return Part::at(image.words(), level.index(index(u, level.width), index(v, level.height)));
+}
+
+/// A place among four texels.
+template <class Real>
+struct TexelQuad {
+    Whole<Real> first;      // of the four
+    Real share_x, share_y;  // how near the others are
+};
+
+template <class Real>
+TexelQuad<Real> quad_at(const TexelLevel<Real>& level, const Neighbours<Real>& x,
+                        const Neighbours<Real>& y) noexcept {
+    return {level.index(x.first, y.first), x.share_of_second, y.share_of_second};
+}
+
+/// Of wrapped u and v.
+template <class Real>
+TexelQuad<Real> quad_at(const TexelLevel<Real>& level, Real u, Real v, Wrap wrap) noexcept {
+    return quad_at(level, neighbours<Real>(u, level.width, wrap),
+                   neighbours<Real>(v, level.height, wrap));
 }
 
 template <class Part, class Real>
-auto bilinear_texel(const TexelImage& image, const TexelLevel<Real>& level,
-                    const Neighbours<Real>& x, const Neighbours<Real>& y) noexcept {
-    const auto row = [&](Whole<Real> j) {
-        const Whole<Real> begin = level.begin + j * level.width;
-        return mixed(Part::at(image, begin + x.first), Part::at(image, begin + x.second),
-                     x.share_of_second);
+auto mixed_texels(const TexelImage& image, const TexelLevel<Real>& level,
+                  const TexelQuad<Real>& quad) noexcept {
+    const auto row = [&](Whole<Real> first) {
+        const std::int32_t* const words = image.words();
+        return mixed(Part::at(words, first), Part::at(words + TexelImage::words_a_texel, first),
+                     quad.share_x);
     };
-    return mixed(row(y.first), row(y.second), y.share_of_second);
+    return mixed(row(quad.first), row(quad.first + level.stride()), quad.share_y);
 }
 
 template <class Part, class Real>
 auto bilinear_texel(const TexelImage& image, const TexelLevel<Real>& level, Real u, Real v,
                     Wrap wrap) noexcept {
-    return bilinear_texel<Part>(image, level, neighbours<Real>(u, level.width, wrap),
-                                neighbours<Real>(v, level.height, wrap));
+    return mixed_texels<Part>(image, level, quad_at(level, u, v, wrap));
 }
 
 /// How large a pixel is on the texture, as a level of its pyramid: 0 where a texel covers a pixel
@@ -132,13 +157,19 @@ Real level_of(const TexelImage& image, Real squared) noexcept {
     return select(beyond < last, beyond, last);
 }
 
+/// A spot of a texture, and the square of a pixel's larger side there, in texels of its image.
+template <class Real>
+struct TextureSpot {
+    Real u, v;
+    Real squared_texels;  // 0 if the texture has no use for it
+};
+
+/// Where pixels of some lanes are larger than texels.
 template <class Part, class Real>
 auto trilinear_texel(const TexelImage& image, Real squared_texels, Real u, Real v,
                      Wrap wrap) noexcept {
     using W = Wholes<Real>;
     using I = Whole<Real>;
-    if (none(squared_texels > Real(1)))
-        return bilinear_texel<Part>(image, TexelLevel<Real>(image), u, v, wrap);
     const Real level = level_of(image, squared_texels);
     const I fine = W::truncated(level);
     const Real share = level - W::real(fine);
@@ -150,17 +181,51 @@ auto trilinear_texel(const TexelImage& image, Real squared_texels, Real u, Real 
                  share);
 }
 
-/// The texture at (u, v), where a pixel has so many texels on a side; see `level_of`.
+/// The texture at a spot of it.
 template <class Part, class Real>
-auto sampled(const TexelImage& image, Filter filter, Wrap wrap, Real u, Real v,
-             Real squared_texels) noexcept {
-    const Real x = wrapped(u, wrap);
-    const Real y = wrapped(v, wrap);
-    if (filter == Filter::trilinear)
-        return trilinear_texel<Part>(image, squared_texels, x, y, wrap);
+auto sampled(const TexelImage& image, Filter filter, Wrap wrap,
+             const TextureSpot<Real>& spot) noexcept {
+    const Real x = wrapped(spot.u, wrap);
+    const Real y = wrapped(spot.v, wrap);
     const TexelLevel<Real> finest(image);
-    return filter == Filter::bilinear ? bilinear_texel<Part>(image, finest, x, y, wrap)
-                                      : nearest_texel<Part>(image, finest, x, y);
+    if (filter == Filter::nearest) return nearest_texel<Part>(image, finest, x, y);
+    if (filter == Filter::bilinear || none(spot.squared_texels > Real(1)))
+        return bilinear_texel<Part>(image, finest, x, y, wrap);
+    return trilinear_texel<Part>(image, spot.squared_texels, x, y, wrap);
+}
+
+/// Whether a mean of four texels of the finest level is all that is asked for.
+template <class Real>
+bool are_finest(Filter filter, const Few<TextureSpot<Real>>& spots) noexcept {
+    if (filter != Filter::trilinear) return filter == Filter::bilinear;
+    for (int i = 0; i < spots.count(); ++i) {
+        if (!none(spots[i].squared_texels > Real(1))) return false;
+    }
+    return true;
+}
+
+/// Calls `take(i, texel)` for each of a few spots: a mean of four texels.
+template <class Part, class Real, class Take>
+void sample_finest(const TexelImage& image, Wrap wrap, const Few<TextureSpot<Real>>& spots,
+                   Take&& take) noexcept {
+    const TexelLevel<Real> finest(image);
+    Few<TexelQuad<Real>> quads;
+    for (int i = 0; i < spots.count(); ++i) {
+        quads.add([&] {
+            return quad_at(finest, wrapped(spots[i].u, wrap), wrapped(spots[i].v, wrap), wrap);
+        });
+    }
+    for (int i = 0; i < quads.count(); ++i)
+        take(i, mixed_texels<Part>(image, finest, quads[i]));
+}
+
+/// Calls `take(i, texel)` for each of a few spots of the texture.
+template <class Part, class Real, class Take>
+void sample(const TexelImage& image, Filter filter, Wrap wrap, const Few<TextureSpot<Real>>& spots,
+            Take&& take) noexcept {
+    if (are_finest(filter, spots)) return sample_finest<Part>(image, wrap, spots, take);
+    for (int i = 0; i < spots.count(); ++i)
+        take(i, sampled<Part>(image, filter, wrap, spots[i]));
 }
 
 }  // namespace scanlight::shading

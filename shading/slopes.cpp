@@ -22,7 +22,7 @@ private:
     float at(int x, int y) const {
         const int i = inside(x, image_.width());
         const int j = inside(y, image_.height());
-        return luminance(TexelColor<float>::at(image_, j * image_.width() + i));
+        return luminance(TexelColor<float>::at(image_.words(), image_.index(i, j)));
     }
     int inside(int i, int size) const {
         if (wrap_ == Wrap::repeat) return (i + size) % size;

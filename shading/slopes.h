@@ -25,8 +25,8 @@ struct Slopes {
 
 template <class Real>
 struct TexelSlopes {
-    static Slopes<Real> at(const TexelImage& image, Whole<Real> index) noexcept {
-        const Whole<Real> both = Wholes<Real>::fetched(image.words(), index + index);
+    static Slopes<Real> at(const std::int32_t* words, Whole<Real> index) noexcept {
+        const Whole<Real> both = Wholes<Real>::fetched(words, index + index);
         return {real_of_half<Real>(both), real_of_high_half<Real>(both)};
     }
 };
@@ -37,13 +37,12 @@ Real mirror_sign(Real u) noexcept {
     return select(wrapped(u * Real(0.5), Wrap::repeat) > Real(0.5), Real(-1), Real(1));
 }
 
-/// `sampled`, of slopes.
+/// Slopes that were looked up at a spot, as the texture goes on there.
 template <class Real>
-Slopes<Real> slopes_at(const TexelImage& image, Filter filter, Wrap wrap, Real u, Real v,
-                       Real squared_texels) noexcept {
-    const auto slopes = sampled<TexelSlopes<Real>>(image, filter, wrap, u, v, squared_texels);
+Slopes<Real> slopes_there(const Slopes<Real>& slopes, Wrap wrap,
+                          const TextureSpot<Real>& spot) noexcept {
     if (wrap != Wrap::mirror) return slopes;
-    return {slopes.u * mirror_sign(u), slopes.v * mirror_sign(v)};
+    return {slopes.u * mirror_sign(spot.u), slopes.v * mirror_sign(spot.v)};
 }
 
 }  // namespace scanlight::shading

@@ -103,13 +103,30 @@ TexelImage::TexelImage(int width, int height, std::span<const float> rgba) {
 }
 
 void TexelImage::add_level(int width, int height, std::span<const float> rgba) {
-    begins_.push_back(static_cast<std::int32_t>(words_.size() / 2));
+    const auto row = [&](int y) {
+        const std::size_t length = channels * static_cast<std::size_t>(width);
+        return rgba.subspan(static_cast<std::size_t>(y) * length, length);
+    };
+    const auto begin = static_cast<std::int32_t>(words_.size() / words_a_texel);
+    begins_.push_back(begin + width + border + 1);
     widths_.push_back(width);
     heights_.push_back(height);
-    for (std::size_t i = 0; i < rgba.size(); i += channels) {
-        words_.push_back(word_of(rgba[i], rgba[i + 1]));
-        words_.push_back(word_of(rgba[i + 2], rgba[i + 3]));
-    }
+    add_row(row(height - 1));
+    for (int y = 0; y < height; ++y)
+        add_row(row(y));
+    add_row(row(0));
+}
+
+void TexelImage::add_row(std::span<const float> rgba) {
+    add_texel(rgba.data() + rgba.size() - channels);
+    for (std::size_t i = 0; i < rgba.size(); i += channels)
+        add_texel(rgba.data() + i);
+    add_texel(rgba.data());
+}
+
+void TexelImage::add_texel(const float* rgba) {
+    words_.push_back(word_of(rgba[0], rgba[1]));
+    words_.push_back(word_of(rgba[2], rgba[3]));
 }
 
 }  // namespace scanlight::shading

@@ -13,10 +13,13 @@ namespace scanlight::shading {
 /// parametrics", SIGGRAPH). A texel is red, green, blue and alpha, linear, each a 16-bit float
 /// (IEEE 754 half; less than 2^-14 is 0, more than 65504 is 65504), two to a word.
 /// Invariant: the levels lie one after another, each half as wide and high as the one before,
-/// rounded down, but at least 1; the last has one texel.
+/// rounded down, but at least 1; the last has one texel. Round each lies a border of one texel, as
+/// if the level were repeated: the neighbours of every texel lie beside it.
 class TexelImage {
 public:
     static constexpr int most_levels = 15;
+    static constexpr int words_a_texel = 2;
+    static constexpr int border = 2;  // by how much rows in memory are longer than levels are wide
 
     /// `rgba`: width x height texels of four numbers, row by row; the first row is at v = 0.
     /// Sides from 1 to 16384.
@@ -27,7 +30,12 @@ public:
     int levels() const noexcept { return static_cast<int>(begins_.size()); }
     std::size_t bytes() const noexcept { return words_.size() * sizeof(std::int32_t); }
 
-    // By level: of its sides, and of its first texel.
+    /// Of a texel of level 0, or of its border: its number in memory.
+    std::int32_t index(int x, int y) const noexcept {
+        return begins_.front() + y * (width() + border) + x;
+    }
+
+    // By level: its sides, and the number of its first texel.
     const std::int32_t* widths() const noexcept { return widths_.data(); }
     const std::int32_t* heights() const noexcept { return heights_.data(); }
     const std::int32_t* begins() const noexcept { return begins_.data(); }
@@ -36,6 +44,8 @@ public:
 
 private:
     void add_level(int width, int height, std::span<const float> rgba);
+    void add_row(std::span<const float> rgba);
+    void add_texel(const float* rgba);
 
     std::vector<std::int32_t> widths_, heights_, begins_;
     std::vector<std::int32_t> words_;

@@ -6,6 +6,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
+#include "shading/few.h"
 #include "shading/luminance.h"
 #include "shading/mapping.h"
 #include "shading/pattern.h"
@@ -168,13 +169,6 @@ PixelSteps<glm::vec<2, Real>> steps_on(const TexturePlace<Real>& place,
             {dot(place.grad_u, steps.down), dot(place.grad_v, steps.down)}};
 }
 
-/// A spot of a texture, and the square of a pixel's larger side there, in texels of its image.
-template <class Real>
-struct TextureSpot {
-    Real u, v;
-    Real squared_texels;  // 0 if the texture has no use for it
-};
-
 /// Of a place by an auxiliary surface.
 template <class Real>
 TextureSpot<Real> spot_at(const Texture& t, const TexturePlace<Real>& place,
@@ -203,11 +197,39 @@ TextureSpot<Real> spot_on(const PlacedTexture& placed, const TextureSite<Real>& 
     return {uv.x, uv.y, larger_square(*site.uv_steps, width, height)};
 }
 
+/// A few places where textures are looked up, each step of the way for all of them.
 template <class Real>
-Rgb<Real> between(const Texture& t, Rgb<Real> share_of_high) noexcept {
-    if (t.low == Rgb<float>(0.0f) && t.high == Rgb<float>(1.0f)) return share_of_high;
-    const Rgb<Real> low(t.low);
-    return low + (Rgb<Real>(t.high) - low) * share_of_high;
+using Sites = Few<const TextureSite<Real>*>;
+
+template <class Real>
+Few<TextureSpot<Real>> spots_on(const PlacedTexture& placed, const Sites<Real>& sites) noexcept {
+    Few<TextureSpot<Real>> spots;
+    for (int i = 0; i < sites.count(); ++i)
+        spots.add([&] { return spot_on(placed, *sites[i]); });
+    return spots;
+}
+
+/// From `low` to `high`.
+class Colors {
+public:
+    explicit Colors(const Texture& t)
+        : texture_(t), are_plain_(t.low == Rgb<float>(0.0f) && t.high == Rgb<float>(1.0f)) {}
+
+    template <class Real>
+    Rgb<Real> operator()(const Rgb<Real>& share_of_high) const noexcept {
+        if (are_plain_) return share_of_high;
+        const Rgb<Real> low(texture_.low);
+        return low + (Rgb<Real>(texture_.high) - low) * share_of_high;
+    }
+
+private:
+    const Texture& texture_;
+    bool are_plain_;
+};
+
+template <class Real>
+Rgb<Real> between(const Texture& t, const Rgb<Real>& share_of_high) noexcept {
+    return Colors(t)(share_of_high);
 }
 
 template <class Real>
@@ -237,24 +259,55 @@ Real function_value(const Texture& t, Real x, Real y) noexcept {
     }
 }
 
+/// Of a pattern that is a function of u and v.
 template <class Real>
-Rgb<Real> flat_color(const Texture& t, const TextureSpot<Real>& spot) noexcept {
-    if (t.pattern == Pattern::image) {
-        return between(t, sampled<TexelColor<Real>>(*t.image, t.filter, t.wrap, spot.u, spot.v,
-                                                    spot.squared_texels));
-    }
-    const Real value = function_value(t, wrapped(spot.u, t.wrap), wrapped(spot.v, t.wrap));
-    return between(t, Rgb<Real>(value));
+Rgb<Real> function_color(const Texture& t, Real u, Real v) noexcept {
+    return between(t, Rgb<Real>(function_value(t, wrapped(u, t.wrap), wrapped(v, t.wrap))));
 }
 
-/// The texture's colour at a site.
 template <class Real>
-[[gnu::noinline]] Rgb<Real> color_at(const PlacedTexture& placed,
-                                     const TextureSite<Real>& site) noexcept {
+Few<Rgb<Real>> image_colors(const PlacedTexture& placed, const Sites<Real>& sites) noexcept {
+    const Texture& t = *placed.texture;
+    const Colors colored(t);
+    Few<Rgb<Real>> colors;
+    sample<TexelColor<Real>>(
+        *t.image, t.filter, t.wrap, spots_on(placed, sites),
+        [&](int, const Rgb<Real>& texel) { colors.add([&] { return colored(texel); }); });
+    return colors;
+}
+
+/// By a pattern.
+template <class Real>
+Rgb<Real> pattern_color(const PlacedTexture& placed, const TextureSite<Real>& site) noexcept {
     const Texture& t = *placed.texture;
     if (fills_space(t.pattern))
         return solid_color(t, mapped_point(placed.texture_from_world, site.point));
-    return flat_color(t, spot_on(placed, site));
+    const TextureSpot<Real> spot = spot_on(placed, site);
+    return function_color(t, spot.u, spot.v);
+}
+
+/// The texture's colours at a few sites.
+template <class Real>
+[[gnu::noinline]] Few<Rgb<Real>> colors_at(const PlacedTexture& placed,
+                                           const Sites<Real>& sites) noexcept {
+    if (placed.texture->pattern == Pattern::image) return image_colors(placed, sites);
+    Few<Rgb<Real>> colors;
+    for (int i = 0; i < sites.count(); ++i)
+        colors.add([&] { return pattern_color(placed, *sites[i]); });
+    return colors;
+}
+
+template <class Real>
+Sites<Real> one_site(const TextureSite<Real>& site) noexcept {
+    Sites<Real> sites;
+    sites.add([&] { return &site; });
+    return sites;
+}
+
+/// At one.
+template <class Real>
+Rgb<Real> color_at(const PlacedTexture& placed, const TextureSite<Real>& site) noexcept {
+    return colors_at(placed, one_site(site))[0];
 }
 
 /// The texture's opacity at a site: 1 but for images.
@@ -263,9 +316,7 @@ template <class Real>
                                 const TextureSite<Real>& site) noexcept {
     const Texture& t = *placed.texture;
     if (t.pattern != Pattern::image) return Real(1);
-    const TextureSpot<Real> spot = spot_on(placed, site);
-    return sampled<TexelAlpha<Real>>(*t.image, t.filter, t.wrap, spot.u, spot.v,
-                                     spot.squared_texels);
+    return sampled<TexelAlpha<Real>>(*t.image, t.filter, t.wrap, spot_on(placed, site));
 }
 
 /// The one number of a texture at a site.
@@ -293,58 +344,84 @@ Vec3<Real> solid_height_gradient(const Texture& t, const Vec3<Real>& p) noexcept
 template <class Real>
 [[gnu::noinline]] Slopes<Real> function_slopes(const Texture& t, Real u, Real v) noexcept {
     constexpr float step = 0x1p-10f;
-    const auto height = [&](Real x, Real y) {
-        return luminance(flat_color<Real>(t, {x, y, Real(0)}));
-    };
+    const auto height = [&](Real x, Real y) { return luminance(function_color(t, x, y)); };
     return {(height(u + Real(step), v) - height(u - Real(step), v)) * Real(0.5f / step),
             (height(u, v + Real(step)) - height(u, v - Real(step))) * Real(0.5f / step)};
 }
 
-/// The same of an image of slopes.
+/// The same of an image of slopes, from a texel to the next.
 template <class Real>
-Slopes<Real> image_slopes(const Texture& t, const TextureSpot<Real>& spot) noexcept {
-    const Slopes<Real> slopes =
-        slopes_at(*t.image, t.filter, t.wrap, spot.u, spot.v, spot.squared_texels);
+Slopes<Real> rising_slopes(const Texture& t, const Slopes<Real>& slopes) noexcept {
     const float rise = luminance(t.high) - luminance(t.low);
     return {slopes.u * Real(rise * static_cast<float>(t.image->width())),
             slopes.v * Real(rise * static_cast<float>(t.image->height()))};
 }
 
-template <class Real>
-Slopes<Real> height_slopes(const Texture& t, const TextureSpot<Real>& spot) noexcept {
-    return t.pattern == Pattern::image ? image_slopes(t, spot) : function_slopes(t, spot.u, spot.v);
+/// Calls `take(i, slopes)` for each of a few spots.
+template <class Real, class Take>
+void height_slopes(const Texture& t, const Few<TextureSpot<Real>>& spots, Take&& take) noexcept {
+    if (t.pattern == Pattern::image) {
+        return sample<TexelSlopes<Real>>(
+            *t.image, t.filter, t.wrap, spots, [&](int i, const Slopes<Real>& slopes) {
+                take(i, rising_slopes(t, slopes_there(slopes, t.wrap, spots[i])));
+            });
+    }
+    for (int i = 0; i < spots.count(); ++i)
+        take(i, function_slopes(t, spots[i].u, spots[i].v));
 }
 
 /// On the mesh's own (u, v).
 template <class Real>
-Vec3<Real> own_height_gradient(const PlacedTexture& placed,
-                               const TextureSite<Real>& site) noexcept {
+Few<Vec3<Real>> own_height_gradients(const PlacedTexture& placed,
+                                     const Sites<Real>& sites) noexcept {
     const Texture& t = *placed.texture;
-    const Slopes<Real> F = height_slopes(t, spot_on(placed, site));
-    return site.gradients->u * (F.u * Real(t.repeat.x)) +
-           site.gradients->v * (F.v * Real(t.repeat.y));
+    Few<Vec3<Real>> gradients;
+    height_slopes(t, spots_on(placed, sites), [&](int i, const Slopes<Real>& F) {
+        const UvGradients<Real>& grad = *sites[i]->gradients;
+        gradients.add(
+            [&] { return grad.u * (F.u * Real(t.repeat.x)) + grad.v * (F.v * Real(t.repeat.y)); });
+    });
+    return gradients;
 }
 
 template <class Real>
-[[gnu::noinline]] Vec3<Real> mapped_height_gradient(const PlacedTexture& placed,
-                                                    const TextureSite<Real>& site) noexcept {
-    const TexturePlace<Real> place = place_on(placed, site);
-    const Slopes<Real> F = height_slopes(*placed.texture, spot_at(*placed.texture, place, site));
-    return place.grad_u * F.u + place.grad_v * F.v;
+[[gnu::noinline]] Few<Vec3<Real>> mapped_height_gradients(const PlacedTexture& placed,
+                                                          const Sites<Real>& sites) noexcept {
+    const Texture& t = *placed.texture;
+    Few<TexturePlace<Real>> places;
+    Few<TextureSpot<Real>> spots;
+    for (int i = 0; i < sites.count(); ++i) {
+        places.add([&] { return place_on(placed, *sites[i]); });
+        spots.add([&] { return spot_at(t, places[i], *sites[i]); });
+    }
+    Few<Vec3<Real>> gradients;
+    height_slopes(t, spots, [&](int i, const Slopes<Real>& F) {
+        gradients.add([&] { return places[i].grad_u * F.u + places[i].grad_v * F.v; });
+    });
+    return gradients;
 }
 
-/// How the texture's luminance, a height, grows along the surface, world space. An image is one of
-/// slopes: see `slopes_of`.
 template <class Real>
-[[gnu::noinline]] Vec3<Real> height_gradient_at(const PlacedTexture& placed,
-                                                const TextureSite<Real>& site) noexcept {
+Vec3<Real> solid_height_gradient_at(const PlacedTexture& placed,
+                                    const TextureSite<Real>& site) noexcept {
+    const Vec3<Real> p = mapped_point(placed.texture_from_world, site.point);
+    return gradient_before(placed.texture_from_world, solid_height_gradient(*placed.texture, p));
+}
+
+/// How the texture's luminance, a height, grows along the surface at a few sites, world space. An
+/// image is one of slopes: see `slopes_of`.
+template <class Real>
+[[gnu::noinline]] Few<Vec3<Real>> height_gradients_at(const PlacedTexture& placed,
+                                                      const Sites<Real>& sites) noexcept {
     const Texture& t = *placed.texture;
     if (!fills_space(t.pattern)) {
-        return t.mapping == Mapping::uv ? own_height_gradient(placed, site)
-                                        : mapped_height_gradient(placed, site);
+        return t.mapping == Mapping::uv ? own_height_gradients(placed, sites)
+                                        : mapped_height_gradients(placed, sites);
     }
-    const Vec3<Real> p = mapped_point(placed.texture_from_world, site.point);
-    return gradient_before(placed.texture_from_world, solid_height_gradient(t, p));
+    Few<Vec3<Real>> gradients;
+    for (int i = 0; i < sites.count(); ++i)
+        gradients.add([&] { return solid_height_gradient_at(placed, *sites[i]); });
+    return gradients;
 }
 
 }  // namespace scanlight::shading

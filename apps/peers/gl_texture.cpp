@@ -30,8 +30,10 @@ void upload_colors() {
 void upload_slopes() {
     const auto image = coat_textures(Coat::bump).bump->image;
     std::vector<std::int32_t> slopes;
-    for (int i = 0; i < image->width() * image->height(); ++i)
-        slopes.push_back(image->words()[2 * i]);
+    for (int y = 0; y < image->height(); ++y) {
+        for (int x = 0; x < image->width(); ++x)
+            slopes.push_back(image->words()[image->index(x, y) * image->words_a_texel]);
+    }
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, image->width(), image->height(), 0, GL_RG,
                  GL_HALF_FLOAT, slopes.data());
 }

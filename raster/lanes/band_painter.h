@@ -125,8 +125,9 @@ private:
     std::size_t draw_long(int y, int x_begin, int x_end, const Ramp& depth,
                           const Ramp* attributes) {
         waiting_.keep();
-        return HWY_NAMESPACE::draw_span(band_.row(y), x_begin, x_end, RampLanes(depth),
-                                        RampValues<Keep::attributes>(attributes), keep_,
+        RampLanes z(depth);
+        RampValues<Keep::attributes> values(attributes);
+        return HWY_NAMESPACE::draw_span(band_.row(y), x_begin, x_end, z, values, keep_,
                                         Ints(walked_));
     }
 

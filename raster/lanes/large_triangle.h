@@ -46,7 +46,7 @@ private:
     void draw_row(int y, int x_begin, int x_end) {
         if (x_begin == x_end) return;
         const std::int64_t dx = t_.depth_plane().dx;
-        const RampLanes z(Ramp{t_.depth_at(x_begin, y), dx});
+        RampLanes z(Ramp{t_.depth_at(x_begin, y), dx});
         typename OneTriangle<Keep>::Values values(t_.attributes, t_.lane, x_begin, y);
         values.step_right(t_.attributes, t_.lane);
         const std::size_t passed =

@@ -78,9 +78,10 @@ private:
 };
 
 /// Draws pixels [x_begin, x_end) of a row whose first pixel is `row`; `z` and `values` begin at
-/// x_begin and step along it. Returns how many passed.
+/// x_begin and step along it: to copy them would take longer than many a span. Returns how many
+/// passed.
 template <class Keep, class Values>
-std::size_t draw_span(PixelPlace row, int x_begin, int x_end, RampLanes z, Values values,
+std::size_t draw_span(PixelPlace row, int x_begin, int x_end, RampLanes& z, Values& values,
                       const Keep& keep, Ints own) {
     const Mask whole = first_lanes(lane_count);
     std::size_t passed = 0;

@@ -1,8 +1,8 @@
 #include "render/lanes/light_row.h"
 
-#include "render/lanes/few.h"
 #include "render/lanes/shade.h"
 #include "render/lanes/store.h"
+#include "shading/few.h"
 
 namespace scanlight::render::HWY_NAMESPACE {
 
@@ -21,11 +21,10 @@ public:
     SCANLIGHT_FLATTEN void light(int y, VectorStreams& row) const {
         const raster::Columns columns = band_.touched();
         for (int x = columns.begin; x < columns.end;) {
-            Few<Seen, 4> seen;
+            shading::Few<Seen> seen;
             for (; x < columns.end && !seen.is_full(); x += lane_count)
                 see(x, y, seen);
-            for (int i = 0; i < seen.count(); ++i)
-                write(technique_.light(seen[i].faces, seen[i].surface), seen[i].x, row);
+            light(seen, [&](int i, const ColorLanes& color) { write(color, seen[i].x, row); });
         }
     }
 
@@ -44,8 +43,17 @@ private:
         typename Technique::Surface surface;
     };
 
-    template <class Few>
-    void see(int x, int y, Few& seen) const {
+    template <class Write>
+    void light(const shading::Few<Seen>& seen, Write&& write) const {
+        if constexpr (requires { technique_.light(seen, write); }) {
+            technique_.light(seen, write);
+        } else {
+            for (int i = 0; i < seen.count(); ++i)
+                write(i, technique_.light(seen[i].faces, seen[i].surface));
+        }
+    }
+
+    void see(int x, int y, shading::Few<Seen>& seen) const {
         PixelLanes pixels;
         if (read(x, y, pixels))
             seen.add([&] { return Seen{x, pixels, technique_.surface(pixels)}; });

@@ -28,12 +28,18 @@ public:
                 select(pixels.back(), Floats(-1), Floats(1))};
     }
 
-    ColorLanes light(const FaceLanes& faces, const Surface& surface) const {
-        return light_by_number(pass_, faces.face(), faces.shown, [&](std::size_t number) {
-            return illuminate_textured(model_, surface, pass_.object->materials[number],
-                                       pass_.textures[number], *pass_.frame,
-                                       Unshadowed{faces.shadowed});
-        });
+    /// Calls `write(i, color)` for each of a few vectors of pixels. Where all are of one material,
+    /// their textures are looked up together.
+    template <class Seen, class Write>
+    void light(const shading::Few<Seen>& seen, Write&& write) const {
+        if (pass_.textures.size() > 1) return light_by_pixels(seen, write);
+        shading::Few<const Surface*> surfaces;
+        for (int i = 0; i < seen.count(); ++i)
+            surfaces.add([&] { return &seen[i].surface; });
+        const auto normals = normals_on(pass_.textures.front(), surfaces);
+        const auto paints = paints_on(pass_.textures.front(), surfaces);
+        for (int i = 0; i < seen.count(); ++i)
+            write(i, lit(seen[i].faces, seen[i].surface, {normals[i], paints[i]}, 0));
     }
     Floats opacity(const PixelLanes& pixels) const {
         const Surface seen = surface(pixels);
@@ -45,6 +51,23 @@ public:
     }
 
 private:
+    template <class Seen, class Write>
+    void light_by_pixels(const shading::Few<Seen>& seen, Write&& write) const {
+        for (int i = 0; i < seen.count(); ++i) {
+            const auto& [x, faces, surface] = seen[i];
+            write(i, light_by_number(pass_, faces.face(), faces.shown, [&](std::size_t number) {
+                      return lit(faces, surface, look_of(pass_.textures[number], surface), number);
+                  }));
+        }
+    }
+
+    ColorLanes lit(const FaceLanes& faces, const Surface& surface, const Look<Floats>& look,
+                   std::size_t number) const {
+        return illuminate_textured(model_, surface, look, pass_.object->materials[number],
+                                   pass_.textures[number], *pass_.frame,
+                                   Unshadowed{faces.shadowed});
+    }
+
     shading::TextureSite<Floats> site_at(const PixelLanes& pixels, const VectorLanes& point,
                                          const glm::vec<2, Floats>& uv, Floats inverse_w) const {
         const Ints face = pixels.face();

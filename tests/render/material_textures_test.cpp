@@ -53,9 +53,7 @@ MaterialTextures textured(const std::vector<Material>& materials, Files& files) 
 }
 
 glm::vec3 first_texel(const shading::Texture& texture) {
-    const std::int32_t* words = texture.image->words();
-    return {shading::real_of_half<float>(words[0]), shading::real_of_half<float>(words[0] >> 16),
-            shading::real_of_half<float>(words[1])};
+    return shading::TexelColor<float>::at(texture.image->words(), texture.image->index(0, 0));
 }
 
 TEST(MaterialTextures, EachStatementFindsItsAttribute) {

@@ -33,7 +33,13 @@ TexelImage hills(int width, int height) {
 }
 
 Slopes<float> texel(const TexelImage& slopes, int x, int y) {
-    return TexelSlopes<float>::at(slopes, y * slopes.width() + x);
+    return TexelSlopes<float>::at(slopes.words(), slopes.index(x, y));
+}
+
+using Spot = TextureSpot<double>;
+
+Slopes<double> slopes_at(const TexelImage& slopes, Filter filter, Wrap wrap, const Spot& spot) {
+    return slopes_there(sampled<TexelSlopes<double>>(slopes, filter, wrap, spot), wrap, spot);
 }
 
 TEST(Slopes, OfARampAreItsStep) {
@@ -63,13 +69,13 @@ TEST(Slopes, AreDifferencesOfTheHeightsBetweenTexelsToo) {
     const auto slopes = slopes_of(image, Wrap::repeat);
     const auto height = [&](double u, double v) {
         return luminance(
-            sampled<TexelColor<double>>(image, Filter::bilinear, Wrap::repeat, u, v, 0.0));
+            sampled<TexelColor<double>>(image, Filter::bilinear, Wrap::repeat, Spot{u, v, 0.0}));
     };
     Random random(3);
     for (int i = 0; i < 10000; ++i) {
         const double u = random.between(-2, 3);
         const double v = random.between(-2, 3);
-        const auto found = slopes_at(slopes, Filter::bilinear, Wrap::repeat, u, v, 0.0);
+        const auto found = slopes_at(slopes, Filter::bilinear, Wrap::repeat, Spot{u, v, 0.0});
         ASSERT_NEAR(found.u, 0.5 * (height(u + 1.0 / 64, v) - height(u - 1.0 / 64, v)), 2e-5);
         ASSERT_NEAR(found.v, 0.5 * (height(u, v + 1.0 / 48) - height(u, v - 1.0 / 48)), 2e-5);
     }
@@ -82,7 +88,7 @@ TEST(Slopes, OfAMirrorImageFallWhereTheImageRises) {
         const double u = random.between(0.001, 0.999);
         const double v = random.between(0.001, 0.999);
         const auto at = [&](double x, double y) {
-            return slopes_at(slopes, Filter::bilinear, Wrap::mirror, x, y, 0.0);
+            return slopes_at(slopes, Filter::bilinear, Wrap::mirror, Spot{x, y, 0.0});
         };
         ASSERT_NEAR(at(2 - u, v).u, -at(u, v).u, 1e-9);
         ASSERT_NEAR(at(2 - u, v).v, at(u, v).v, 1e-9);
@@ -94,13 +100,13 @@ TEST(Slopes, OfAMirrorImageFallWhereTheImageRises) {
 TEST(Slopes, BeyondAnImageThatEndsAreNone) {
     const auto slopes = slopes_of(hills(16, 16), Wrap::clamp);
     for (const double u : {-3.0, -0.01, 1.01, 7.0})
-        EXPECT_EQ(slopes_at(slopes, Filter::trilinear, Wrap::clamp, u, 0.3, 0.0).u, 0.0);
+        EXPECT_EQ(slopes_at(slopes, Filter::trilinear, Wrap::clamp, Spot{u, 0.3, 0.0}).u, 0.0);
 }
 
 TEST(Slopes, OfTheWholeImageTogetherAreNone) {
     const auto slopes = slopes_of(hills(64, 64), Wrap::repeat);
     const auto mean =
-        sampled<TexelSlopes<double>>(slopes, Filter::trilinear, Wrap::repeat, 0.5, 0.5, 1e9);
+        sampled<TexelSlopes<double>>(slopes, Filter::trilinear, Wrap::repeat, Spot{0.5, 0.5, 1e9});
     EXPECT_NEAR(mean.u, 0.0, 1e-4);
     EXPECT_NEAR(mean.v, 0.0, 1e-4);
 }

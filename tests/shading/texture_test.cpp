@@ -19,6 +19,7 @@ namespace scanlight::shading {
 namespace {
 
 using V = Vec3<double>;
+using Spot = TextureSpot<double>;
 constexpr double close = 1e-6;
 
 TexelImage image_of_oracle() {
@@ -31,7 +32,7 @@ TexelImage image_of_oracle() {
 
 double looked_up(Wrap wrap, double u, double v) {
     const TexelImage image = image_of_oracle();
-    return sampled<TexelColor<double>>(image, Filter::bilinear, wrap, u, v, 0.0).x;
+    return sampled<TexelColor<double>>(image, Filter::bilinear, wrap, Spot{u, v, 0.0}).x;
 }
 
 TEST(ImageTexture, IMAG) {
@@ -53,19 +54,22 @@ TEST(ImageTexture, RepeatsEvery1AndMirrorsEvery2) {
 TEST(ImageTexture, GivesATexelAtItsMiddleByEveryFilter) {
     const TexelImage image = image_of_oracle();
     for (const Filter filter : {Filter::nearest, Filter::bilinear, Filter::trilinear}) {
-        EXPECT_EQ(sampled<TexelColor<double>>(image, filter, Wrap::clamp, 0.75, 0.25, 0.5).x, 1.0);
-        EXPECT_EQ(sampled<TexelColor<double>>(image, filter, Wrap::clamp, 0.25, 0.75, 0.5).x, 0.5);
+        EXPECT_EQ(sampled<TexelColor<double>>(image, filter, Wrap::clamp, Spot{0.75, 0.25, 0.5}).x,
+                  1.0);
+        EXPECT_EQ(sampled<TexelColor<double>>(image, filter, Wrap::clamp, Spot{0.25, 0.75, 0.5}).x,
+                  0.5);
     }
 }
 
 TEST(ImageTexture, FromFarAwayIsItsMean) {
     const TexelImage image = image_of_oracle();
     ASSERT_EQ(image.levels(), 2);
-    EXPECT_EQ(sampled<TexelColor<double>>(image, Filter::trilinear, Wrap::repeat, 0.3, 0.9, 1e9).x,
-              0.4375);
+    EXPECT_EQ(
+        sampled<TexelColor<double>>(image, Filter::trilinear, Wrap::repeat, Spot{0.3, 0.9, 1e9}).x,
+        0.4375);
     // Half way: a pixel of sqrt(2) texels.
     EXPECT_NEAR(
-        sampled<TexelColor<double>>(image, Filter::trilinear, Wrap::clamp, 0.75, 0.25, 2.0).x,
+        sampled<TexelColor<double>>(image, Filter::trilinear, Wrap::clamp, Spot{0.75, 0.25, 2.0}).x,
         0.5 * (1.0 + 0.4375), close);
 }
 
@@ -81,7 +85,7 @@ TEST(ImageTexture, LevelsKeepTheMeanOfSidesThatAreNoPowersOfTwo) {
     }
     const TexelImage image(width, height, rgba);
     const auto far_away =
-        sampled<TexelColor<double>>(image, Filter::trilinear, Wrap::repeat, 0.5, 0.5, 1e12).x;
+        sampled<TexelColor<double>>(image, Filter::trilinear, Wrap::repeat, Spot{0.5, 0.5, 1e12}).x;
     EXPECT_NEAR(far_away, mean, 5e-4);
 }
 

@@ -4,10 +4,15 @@
 #include <new>
 #include <type_traits>
 
-namespace scanlight::render {
+namespace scanlight::shading {
 
-/// Up to `most` things, each made where it stays: to copy vectors by the dozen would take its time.
-template <class T, int most>
+/// How many vectors of numbers go through a long computation together, each step of it for all of
+/// them: a step is short enough for a processor to work on several at a time.
+inline constexpr int few = 4;
+
+/// So many things, or less, each made where it stays: to copy vectors by the dozen would take its
+/// time.
+template <class T>
 class Few {
 public:
     static_assert(std::is_trivially_destructible_v<T>);
@@ -19,7 +24,7 @@ public:
             T(make());
         ++count_;
     }
-    bool is_full() const { return count_ == most; }
+    bool is_full() const { return count_ == few; }
     int count() const { return count_; }
     const T& operator[](int i) const {
         return *std::launder(
@@ -27,8 +32,8 @@ public:
     }
 
 private:
-    alignas(T) std::byte memory_[most * sizeof(T)];
+    alignas(T) std::byte memory_[few * sizeof(T)];
     int count_ = 0;
 };
 
-}  // namespace scanlight::render
+}  // namespace scanlight::shading
