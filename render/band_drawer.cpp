@@ -107,7 +107,7 @@ void BandDrawer::draw_then_light(const Picture& picture, int number) {
     if (seen_.empty()) return fill_rows(picture.target, band_.rows());
     Background background = Background::drawn;
     for (const ObjectPass* pass : seen_) {
-        shaded_ += picture.path.light_band(*pass, band_, has_shadows ? &shadows_ : nullptr, row_,
+        shaded_ += picture.path.light_band(*pass, band_, has_shadows ? &shadows_ : nullptr,
                                            picture.target, background);
         background = Background::kept;
     }

@@ -46,8 +46,8 @@ public:
 
     void add_to(DrawCounts& counts) const;
     std::size_t bytes() const {
-        return band_.bytes() + shadows_.bytes() + row_.bytes() +
-               raster::bytes_held(items_, blends_, means_) + samples_.values().size_bytes();
+        return band_.bytes() + shadows_.bytes() + raster::bytes_held(items_, blends_, means_) +
+               samples_.values().size_bytes();
     }
 
 private:
@@ -73,7 +73,6 @@ private:
     ShadowBand shadows_;
     raster::Plane<raster::Rgba> samples_;  // of the band, where a pixel has more than one
     std::vector<raster::Rgba> means_;      // of a row of pixels
-    VectorStreams row_;                    // colours of a row of pixels
     WalkMemories walks_;
     std::vector<raster::FaceItem> items_;
     std::vector<const ObjectPass*> seen_;

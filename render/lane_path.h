@@ -45,10 +45,10 @@ struct LanePath {
     void (*store_band)(raster::VisibleBand&, const Target&);
 
     /// Illuminates each pixel of the band that shows the object, by what it keeps, and stores it.
-    /// Returns how many there were. With `Background::drawn` all others become background. `row` is
-    /// memory for a row's colours; `shadows` may be null.
+    /// Returns how many there were. With `Background::drawn` all others become background.
+    /// `shadows` may be null.
     std::size_t (*light_band)(const ObjectPass&, raster::VisibleBand&, const ShadowBand* shadows,
-                              VectorStreams& row, const Target&, Background);
+                              const Target&, Background);
 
     /// Draws polygons of a transparent object into a layer of the band, see
     /// `VisibleBand::begin_layers`. Pixels keep the polygon's item and the object's attributes.

@@ -64,7 +64,8 @@ void see_behind(const ObjectPass& pass, std::span<const raster::FaceItem> items,
 
 void light_layer_row(const ObjectPass& pass, raster::VisibleBand& band, const ShadowBand* shadows,
                      int y, LayerRow& row) {
-    light_row(pass, band, shadows, y, row.color);
+    StreamRow colors(row.color);
+    light_row(pass, band, shadows, y, colors);
     find_row_opacity(pass, band, y, row.opacity);
 }
 

@@ -1,7 +1,6 @@
 #include "render/lanes/light_row.h"
 
 #include "render/lanes/shade.h"
-#include "render/lanes/store.h"
 #include "shading/few.h"
 
 namespace scanlight::render::HWY_NAMESPACE {
@@ -18,14 +17,20 @@ public:
 
     /// First what surfaces some vectors of pixels show, then their light: each of the two loops is
     /// short enough for the processor to work on several vectors at a time.
-    SCANLIGHT_FLATTEN void light(int y, VectorStreams& row) const {
+    SCANLIGHT_FLATTEN std::size_t light(int y, RowWriter& to) const {
         const raster::Columns columns = band_.touched();
+        std::size_t pixels = 0;
         for (int x = columns.begin; x < columns.end;) {
             shading::Few<Seen> seen;
             for (; x < columns.end && !seen.is_full(); x += lane_count)
-                see(x, y, seen);
-            light(seen, [&](int i, const ColorLanes& color) { write(color, seen[i].x, row); });
+                see(x, y, seen, to);
+            light(seen, [&](int i, const ColorLanes& color) {
+                const Mask shown = seen[i].faces.shown;
+                to.write(seen[i].x, shown, color.x, color.y, color.z);
+                pixels += static_cast<std::size_t>(count(shown));
+            });
         }
+        return pixels;
     }
 
     SCANLIGHT_FLATTEN void find_opacity(int y, std::vector<float>& row) const {
@@ -53,10 +58,10 @@ private:
         }
     }
 
-    void see(int x, int y, shading::Few<Seen>& seen) const {
+    void see(int x, int y, shading::Few<Seen>& seen, RowWriter& to) const {
         PixelLanes pixels;
-        if (read(x, y, pixels))
-            seen.add([&] { return Seen{x, pixels, technique_.surface(pixels)}; });
+        if (!read(x, y, pixels)) return to.leave_out(x);
+        seen.add([&] { return Seen{x, pixels, technique_.surface(pixels)}; });
     }
 
     /// False where nothing is shown.
@@ -80,12 +85,6 @@ private:
         return select(shown, item, Ints(items[std::countr_zero(bits_of(shown))]));
     }
 
-    static void write(const ColorLanes& color, int x, VectorStreams& row) {
-        store(color.x, row.x.data() + x);
-        store(color.y, row.y.data() + x);
-        store(color.z, row.z.data() + x);
-    }
-
     const Technique& technique_;
     FaceRange faces_;
     raster::VisibleBand& band_;
@@ -94,10 +93,10 @@ private:
 
 }  // namespace
 
-void light_row(const ObjectPass& pass, raster::VisibleBand& band, const ShadowBand* shadows, int y,
-               VectorStreams& row) {
-    with_technique(pass, [&](const auto& technique) {
-        RowLighter(technique, pass.faces, band, shadows).light(y, row);
+std::size_t light_row(const ObjectPass& pass, raster::VisibleBand& band, const ShadowBand* shadows,
+                      int y, RowWriter& to) {
+    return with_technique(pass, [&](const auto& technique) {
+        return RowLighter(technique, pass.faces, band, shadows).light(y, to);
     });
 }
 

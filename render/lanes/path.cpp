@@ -72,12 +72,11 @@ void store_band(raster::VisibleBand& band, const Target& target) {
 }
 
 std::size_t light_band(const ObjectPass& pass, raster::VisibleBand& band, const ShadowBand* shadows,
-                       VectorStreams& row, const Target& target, Background background) {
-    row.resize(static_cast<std::size_t>(band.width()) + raster::most_lanes);
+                       const Target& target, Background background) {
     std::size_t pixels = 0;
     for (int y = band.rows().y_begin; y < band.rows().y_end; ++y) {
-        light_row(pass, band, shadows, y, row);
-        pixels += store_row(row, pass.faces, band, y, target, background);
+        with_row(target, background, band.touched(), y,
+                 [&](auto&& row) { pixels += light_row(pass, band, shadows, y, row); });
     }
     return pixels;
 }

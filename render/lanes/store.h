@@ -8,22 +8,6 @@ namespace scanlight::render::HWY_NAMESPACE {
 
 using namespace raster::HWY_NAMESPACE;
 
-// How a row of colours becomes pixels, where something is shown. Each returns how many there were.
-
-inline std::size_t store_floats(const VectorStreams& row, FaceRange faces,
-                                const std::int32_t* items, const FloatTarget& target, int y,
-                                Background background) {
-    const auto to = target.row(y);
-    std::size_t pixels = 0;
-    for (std::size_t x = 0; x < to.size(); ++x) {
-        const bool shown = faces.holds(items[x]);
-        if (shown) to[x] = raster::Rgba(row.x[x], row.y[x], row.z[x], 1.0f);
-        if (!shown && background == Background::drawn) to[x] = target.background;
-        pixels += shown ? 1 : 0;
-    }
-    return pixels;
-}
-
 /// Whole vectors would write beyond the row's end, where another thread's may begin.
 inline void store_some(Ints pixels, int room, std::int32_t* to) {
     if (room >= lane_count) return store(pixels, to);
@@ -47,27 +31,6 @@ inline Mask lanes_held(FaceRange faces, Ints item) {
     return (Ints(-1) < face) & (face < Ints(faces.count));
 }
 
-/// Columns [begin, end), all of which may be seen.
-template <raster::Encoding encoding>
-SCANLIGHT_FLATTEN std::size_t store_columns(const VectorStreams& row, FaceRange faces,
-                                            const std::int32_t* items, raster::Columns columns,
-                                            const PackedTarget& target, std::int32_t* out,
-                                            Background background) {
-    const Ints nothing(static_cast<std::int32_t>(target.background));
-    std::size_t pixels = 0;
-    for (int x = columns.begin; x < columns.end; x += lane_count) {
-        const int room = columns.end - x;
-        const Mask shown =
-            first_lanes(std::min(room, lane_count)) & lanes_held(faces, load(items + x));
-        const Ints packed = pack_lanes<encoding>(load(row.x.data() + x), load(row.y.data() + x),
-                                                 load(row.z.data() + x));
-        const Ints other = background == Background::drawn ? nothing : kept(out + x, room);
-        store_some(select(shown, packed, other), room, out + x);
-        pixels += static_cast<std::size_t>(count(shown));
-    }
-    return pixels;
-}
-
 /// Columns in which nothing is seen.
 inline void store_background(raster::Columns seen, const PackedTarget& target, int y) {
     const auto to = target.row(y);
@@ -75,15 +38,88 @@ inline void store_background(raster::Columns seen, const PackedTarget& target, i
     std::fill(to.begin() + seen.end, to.end(), target.background);
 }
 
+/// Where a row's colours go as they are found, a vector of pixels after the other.
+class RowWriter {
+public:
+    virtual void write(int x, Mask shown, Floats red, Floats green, Floats blue) = 0;
+    /// Nothing of what is lit shows in the vector from x on.
+    virtual void leave_out(int x) = 0;
+
+protected:
+    ~RowWriter() = default;
+};
+
+/// To bytes.
 template <raster::Encoding encoding>
-std::size_t store_packed(const VectorStreams& row, FaceRange faces, raster::VisibleBand& band,
-                         int y, const PackedTarget& target, Background background) {
-    const raster::Columns columns = band.touched();
-    if (background == Background::drawn) store_background(columns, target, y);
-    return store_columns<encoding>(row, faces, band.kept_row(0, y), columns, target,
-                                   reinterpret_cast<std::int32_t*>(target.row(y).data()),
-                                   background);
-}
+class PackedRow final : public RowWriter {
+public:
+    /// Nothing is seen but in some columns.
+    PackedRow(const PackedTarget& target, Background background, raster::Columns seen, int y)
+        : out_(reinterpret_cast<std::int32_t*>(target.row(y).data())),
+          end_(seen.end),
+          background_(background),
+          nothing_(static_cast<std::int32_t>(target.background)) {
+        if (background == Background::drawn) store_background(seen, target, y);
+    }
+
+    void write(int x, Mask shown, Floats red, Floats green, Floats blue) override {
+        const int room = end_ - x;
+        const Ints packed = pack_lanes<encoding>(red, green, blue);
+        const Ints other = background_ == Background::drawn ? Ints(nothing_) : kept(out_ + x, room);
+        store_some(select(shown, packed, other), room, out_ + x);
+    }
+    void leave_out(int x) override {
+        if (background_ == Background::drawn) store_some(Ints(nothing_), end_ - x, out_ + x);
+    }
+
+private:
+    std::int32_t* out_;
+    int end_;
+    Background background_;
+    std::int32_t nothing_;
+};
+
+/// To floats.
+class FloatRow final : public RowWriter {
+public:
+    FloatRow(const FloatTarget& target, Background background, raster::Columns seen, int y)
+        : out_(target.row(y)), end_(seen.end) {
+        if (background == Background::drawn) std::ranges::fill(out_, target.background);
+    }
+
+    void write(int x, Mask shown, Floats red, Floats green, Floats blue) override {
+        const Floats channels[] = {red, green, blue};
+        float color[3][lane_count];
+        for (int c = 0; c < 3; ++c)
+            store(channels[c], color[c]);
+        const std::uint32_t bits = bits_of(shown);
+        for (int i = 0; i < std::min(lane_count, end_ - x); ++i) {
+            if ((bits >> i & 1) == 0) continue;
+            out_[static_cast<std::size_t>(x + i)] = {color[0][i], color[1][i], color[2][i], 1.0f};
+        }
+    }
+    void leave_out(int) override {}
+
+private:
+    std::span<raster::Rgba> out_;
+    int end_;
+};
+
+/// To a row that has room for a vector more.
+class StreamRow final : public RowWriter {
+public:
+    explicit StreamRow(VectorStreams& row) : row_(row) {}
+
+    void write(int x, Mask, Floats red, Floats green, Floats blue) override {
+        store(red, row_.x.data() + x);
+        store(green, row_.y.data() + x);
+        store(blue, row_.z.data() + x);
+    }
+    void leave_out(int) override {}
+
+private:
+    VectorStreams& row_;
+};
 
 /// Pixels that are kept ready.
 SCANLIGHT_FLATTEN inline void store_pixels(raster::VisibleBand& band, int y,
@@ -100,15 +136,16 @@ SCANLIGHT_FLATTEN inline void store_pixels(raster::VisibleBand& band, int y,
     }
 }
 
-inline std::size_t store_row(const VectorStreams& row, FaceRange faces, raster::VisibleBand& band,
-                             int y, const Target& target, Background background) {
-    const std::int32_t* items = band.kept_row(0, y);
+/// Calls `use` with the writer of a row of the target.
+template <class Use>
+void with_row(const Target& target, Background background, raster::Columns seen, int y, Use&& use) {
+    using raster::Encoding;
     if (const auto* floats = std::get_if<FloatTarget>(&target))
-        return store_floats(row, faces, items, *floats, y, background);
+        return use(FloatRow(*floats, background, seen, y));
     const auto& packed = *std::get_if<PackedTarget>(&target);  // std::get could throw
-    return packed.encoding == raster::Encoding::srgb
-               ? store_packed<raster::Encoding::srgb>(row, faces, band, y, packed, background)
-               : store_packed<raster::Encoding::linear>(row, faces, band, y, packed, background);
+    if (packed.encoding == Encoding::srgb)
+        return use(PackedRow<Encoding::srgb>(packed, background, seen, y));
+    use(PackedRow<Encoding::linear>(packed, background, seen, y));
 }
 
 }  // namespace scanlight::render::HWY_NAMESPACE
