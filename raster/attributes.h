@@ -16,11 +16,6 @@ struct AttributeStream {
     const float* back = nullptr;
     float front_scale = 1.0f;
     float back_scale = 1.0f;
-
-    float at(std::uint32_t vertex, FaceItem face) const {
-        if (front == nullptr) return 1.0f;
-        return (face & back_flag) == 0 ? front[vertex] * front_scale : back[vertex] * back_scale;
-    }
 };
 
 /// One side of an `AttributeStream`, which is asked for without a branch.

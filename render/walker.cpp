@@ -12,13 +12,23 @@ namespace scanlight::render {
 namespace {
 
 template <int N>
+std::array<raster::AttributeSide, N> sides_seen(const raster::Attributes& attributes,
+                                                raster::FaceItem item) {
+    std::array<raster::AttributeSide, N> sides;
+    for (std::size_t k = 0; k < N; ++k)
+        sides[k] = {attributes.streams[k], item};
+    return sides;
+}
+
+template <int N>
 std::vector<raster::ClipVertex<N>> gathered(const ObjectPass& pass, raster::FaceItem item) {
+    const auto sides = sides_seen<N>(pass.attributes, item);
     std::vector<raster::ClipVertex<N>> polygon;
     for (const std::uint32_t vertex : pass.mesh().face(item & raster::face_mask)) {
         auto& corner = polygon.emplace_back();
         corner.position = clip_position(pass, vertex);
         for (std::size_t k = 0; k < N; ++k)
-            corner.attributes[k] = pass.attributes.streams[k].at(vertex, item);
+            corner.attributes[k] = sides[k][vertex];
     }
     return polygon;
 }
@@ -36,15 +46,6 @@ bool is_inside(const ObjectPass& pass, std::span<const std::uint32_t> vertices) 
     for (const std::uint32_t v : vertices)
         outside |= pass.polygons.outside[v];
     return outside == 0;
-}
-
-template <int N>
-std::array<raster::AttributeSide, N> sides_seen(const raster::Attributes& attributes,
-                                                raster::FaceItem item) {
-    std::array<raster::AttributeSide, N> sides;
-    for (std::size_t k = 0; k < N; ++k)
-        sides[k] = {attributes.streams[k], item};
-    return sides;
 }
 
 /// Corners that the vertex stage has put on the screen, with their attributes as `project_correct`
