@@ -15,6 +15,34 @@ struct Microfacets {
     double share = 0;  // K_s, 0 to 1: of the light that meets facets; the body has K_d = 1 - K_s
 };
 
+/// How the light falls on the facets that mirror it to the viewer, and they lean: cosines.
+template <class Real>
+struct FacetAngles {
+    Real NL, NV, NH, VH;  // N.V no less than 1e-4; V.H where it is not above 0: 1
+    decltype((Real(0) > Real(0)) & (Real(0) > Real(0))) are_seen_lit;
+};
+
+template <class Real>
+FacetAngles<Real> facet_angles(const Vec3<Real>& N, const Vec3<Real>& L,
+                               const Vec3<Real>& V) noexcept {
+    const Vec3<Real> H = half_vector(L, V);
+    const Real NL = dot(N, L);
+    const Real NV = dot(N, V);
+    const Real VH = dot(V, H);
+    const auto are_seen_lit = (NL > Real(0)) & (NV > Real(0)) & (VH > Real(0));
+    return {NL, select(NV > Real(1e-4), NV, Real(1e-4)), dot(N, H),
+            select(are_seen_lit, VH, Real(1)), are_seen_lit};
+}
+
+/// (N.L) D G / (4 (N.L)(N.V)): the share of light that facets turn to the viewer.
+template <class Real>
+Real facets_share(const FacetAngles<Real>& a, const FacetSlopes& slopes) noexcept {
+    const Real D = facet_density(a.NH, slopes);
+    const Real G_by_NV = facets_open_by_view(a.NH, a.NL, a.NV, a.VH);
+    const Real share = Real(slopes.reflection_constant()) * D * G_by_NV;
+    return select(a.are_seen_lit, share, Real(0));
+}
+
 /// The highlight of Cook & Torrance 1981, "A reflectance model for computer graphics", SIGGRAPH.
 ///     (N.L) R_s, R_s = D G rho / (4 (N.L)(N.V)), in each channel; to be multiplied by E K_s
 /// with rho at the angle between V and H. Unit vectors pointing away from the surface. 0 where
@@ -25,19 +53,9 @@ struct Microfacets {
 template <class Real>
 Rgb<Real> cook_torrance(const Vec3<Real>& N, const Vec3<Real>& L, const Vec3<Real>& V,
                         const FacetSlopes& slopes, const Reflectance& material) noexcept {
-    const Vec3<Real> H = half_vector(L, V);
-    const Real NL = dot(N, L);
-    const Real NV = dot(N, V);
-    const Real NH = dot(N, H);
-    const Real VH = dot(V, H);
-    const auto is_seen_lit = (NL > Real(0)) & (NV > Real(0)) & (VH > Real(0));
-    if (none(is_seen_lit)) return Rgb<Real>(Real(0));
-    const Real sure_NV = select(NV > Real(1e-4), NV, Real(1e-4));
-    const Real sure_VH = select(is_seen_lit, VH, Real(1));
-    const Real D = facet_density(NH, slopes);
-    const Real G_by_NV = facets_open_by_view(NH, NL, sure_NV, sure_VH);
-    const Real facets = Real(slopes.reflection_constant()) * D * G_by_NV;
-    return reflectance_at(sure_VH, material) * select(is_seen_lit, facets, Real(0));
+    const FacetAngles<Real> angles = facet_angles(N, L, V);
+    if (none(angles.are_seen_lit)) return Rgb<Real>(Real(0));
+    return reflectance_at(angles.VH, material) * facets_share(angles, slopes);
 }
 
 }  // namespace scanlight::shading

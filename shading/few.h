@@ -26,6 +26,10 @@ public:
     }
     bool is_full() const { return count_ == few; }
     int count() const { return count_; }
+    T& operator[](int i) {
+        return *std::launder(
+            reinterpret_cast<T*>(memory_ + static_cast<std::size_t>(i) * sizeof(T)));
+    }
     const T& operator[](int i) const {
         return *std::launder(
             reinterpret_cast<const T*>(memory_ + static_cast<std::size_t>(i) * sizeof(T)));

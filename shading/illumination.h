@@ -6,6 +6,7 @@
 #include "shading/ambient.h"
 #include "shading/blinn.h"
 #include "shading/cook_torrance.h"
+#include "shading/few.h"
 #include "shading/gouraud_1971.h"
 #include "shading/lambert.h"
 #include "shading/light.h"
@@ -103,10 +104,39 @@ struct CookTorrance {
         const auto& [point, N, V] = surface;
         const Vec3<Real>& L = light.direction;
         const auto& [slopes, reflectance, K_s] = material.facets;
+        return together(surface, material, light, cook_torrance(N, L, V, slopes, reflectance));
+    }
+
+    static constexpr bool works_on_few = true;
+
+    /// Calls `take(i, term)` for each of a few surfaces, with the light that falls on each.
+    template <class Real, class Number, class Power, class Take>
+    void at_few(const Few<const Surface<Real>*>& surfaces, const Material<Number, Power>& material,
+                const Few<Incident<Real>>& lights, Take&& take) const noexcept {
+        const Microfacets& facets = material.facets;
+        Few<FacetAngles<Real>> angles;
+        for (int i = 0; i < surfaces.count(); ++i) {
+            const Surface<Real>& surface = *surfaces[i];
+            angles.add(
+                [&] { return facet_angles(surface.normal, lights[i].direction, surface.view); });
+        }
+        Few<Real> shares;
+        for (int i = 0; i < surfaces.count(); ++i)
+            shares.add([&] { return facets_share(angles[i], facets.slopes); });
+        for (int i = 0; i < surfaces.count(); ++i) {
+            const Rgb<Real> mirrored = reflectance_at(angles[i].VH, facets.reflectance) * shares[i];
+            take(i, together(*surfaces[i], material, lights[i], mirrored));
+        }
+    }
+
+private:
+    template <class Real, class Number, class Power>
+    static Rgb<Real> together(const Surface<Real>& surface, const Material<Number, Power>& material,
+                              const Incident<Real>& light, const Rgb<Real>& mirrored) noexcept {
         const Rgb<Real> rho_d(material.diffuse);
-        const Rgb<Real> body = rho_d * (Real(1 - K_s) * lambert(N, L));
-        const Rgb<Real> facets = cook_torrance(N, L, V, slopes, reflectance) * Real(pi * K_s);
-        return light.intensity * (body + facets);
+        const Rgb<Real> body =
+            rho_d * (Real(1 - material.facets.share) * lambert(surface.normal, light.direction));
+        return light.intensity * (body + mirrored * Real(pi * material.facets.share));
     }
 };
 
@@ -148,6 +178,28 @@ Rgb<Real> illuminate(const Model& model, const Surface<Real>& surface,
                      const Arriving& arriving) noexcept {
     return with_lights(unlit<Real>(material, lighting), model, surface, material, lighting,
                        arriving);
+}
+
+/// `illuminate`, of a few surfaces of one material by a model that takes each step of its way for
+/// all of them. Calls `take(i, color)` for each; `arriving(i, light, term)`.
+template <class Model, class Real, class Number, class Power, class LightNumber, class Arriving,
+          class Take>
+void illuminate_few(const Model& model, const Few<const Surface<Real>*>& surfaces,
+                    const Material<Number, Power>& material, const Lighting<LightNumber>& lighting,
+                    const Arriving& arriving, Take&& take) noexcept {
+    Few<Rgb<Real>> intensities;
+    for (int i = 0; i < surfaces.count(); ++i)
+        intensities.add([&] { return unlit<Real>(material, lighting); });
+    for (std::size_t k = 0; k < lighting.lights.size(); ++k) {
+        Few<Incident<Real>> incidents;
+        for (int i = 0; i < surfaces.count(); ++i)
+            incidents.add([&] { return incident_at(lighting.lights[k], surfaces[i]->point); });
+        model.at_few(surfaces, material, incidents, [&](int i, const Rgb<Real>& term) {
+            intensities[i] = intensities[i] + arriving(i, k, term);
+        });
+    }
+    for (int i = 0; i < surfaces.count(); ++i)
+        take(i, intensities[i]);
 }
 
 /// The same where nothing casts a shadow.

@@ -11,9 +11,13 @@ namespace {
 template <class Technique>
 class RowLighter {
 public:
-    RowLighter(const Technique& technique, FaceRange faces, raster::VisibleBand& band,
+    RowLighter(const Technique& technique, const ObjectPass& pass, raster::VisibleBand& band,
                const ShadowBand* shadows)
-        : technique_(technique), faces_(faces), band_(band), shadows_(shadows) {}
+        : technique_(technique),
+          faces_(pass.faces),
+          has_one_material_(pass.object->materials.size() == 1),
+          band_(band),
+          shadows_(shadows) {}
 
     /// First what surfaces some vectors of pixels show, then their light: each of the two loops is
     /// short enough for the processor to work on several vectors at a time.
@@ -48,14 +52,14 @@ private:
         typename Technique::Surface surface;
     };
 
+    /// Some techniques light a few vectors of pixels together, if all are of one material.
     template <class Write>
     void light(const shading::Few<Seen>& seen, Write&& write) const {
-        if constexpr (requires { technique_.light(seen, write); }) {
-            technique_.light(seen, write);
-        } else {
-            for (int i = 0; i < seen.count(); ++i)
-                write(i, technique_.light(seen[i].faces, seen[i].surface));
+        if constexpr (requires { technique_.light_few(seen, write); }) {
+            if (has_one_material_) return technique_.light_few(seen, write);
         }
+        for (int i = 0; i < seen.count(); ++i)
+            write(i, technique_.light(seen[i].faces, seen[i].surface));
     }
 
     void see(int x, int y, shading::Few<Seen>& seen, RowWriter& to) const {
@@ -87,6 +91,7 @@ private:
 
     const Technique& technique_;
     FaceRange faces_;
+    bool has_one_material_;
     raster::VisibleBand& band_;
     const ShadowBand* shadows_;
 };
@@ -96,14 +101,14 @@ private:
 std::size_t light_row(const ObjectPass& pass, raster::VisibleBand& band, const ShadowBand* shadows,
                       int y, RowWriter& to) {
     return with_technique(pass, [&](const auto& technique) {
-        return RowLighter(technique, pass.faces, band, shadows).light(y, to);
+        return RowLighter(technique, pass, band, shadows).light(y, to);
     });
 }
 
 void find_row_opacity(const ObjectPass& pass, raster::VisibleBand& band, int y,
                       std::vector<float>& row) {
     with_technique(pass, [&](const auto& technique) {
-        RowLighter(technique, pass.faces, band, nullptr).find_opacity(y, row);
+        RowLighter(technique, pass, band, nullptr).find_opacity(y, row);
     });
 }
 

@@ -136,6 +136,21 @@ public:
         });
     }
 
+    /// Calls `write(i, color)` for each of a few vectors of pixels.
+    template <class Seen, class Write>
+    requires(requires { Model::works_on_few; } &&
+             paint == Paint::material) void light_few(const shading::Few<Seen>& seen,
+                                                      Write&& write) const {
+        shading::Few<const shading::Surface<Floats>*> surfaces;
+        for (int i = 0; i < seen.count(); ++i)
+            surfaces.add([&] { return &seen[i].surface.seen; });
+        const auto arriving = [&](int i, std::size_t light, const ColorLanes& term) {
+            return Unshadowed{seen[i].faces.shadowed}(light, term);
+        };
+        illuminate_few(model_, surfaces, pass_.object->materials.front(), pass_.frame->lighting,
+                       arriving, write);
+    }
+
     Floats opacity(const PixelLanes& pixels) const { return material_opacity(pass_, pixels); }
 
 private:

@@ -28,11 +28,16 @@ public:
                 select(pixels.back(), Floats(-1), Floats(1))};
     }
 
-    /// Calls `write(i, color)` for each of a few vectors of pixels. Where all are of one material,
-    /// their textures are looked up together.
+    ColorLanes light(const FaceLanes& faces, const Surface& surface) const {
+        return light_by_number(pass_, faces.face(), faces.shown, [&](std::size_t number) {
+            return lit(faces, surface, look_of(pass_.textures[number], surface), number);
+        });
+    }
+
+    /// Calls `write(i, color)` for each of a few vectors of pixels: their textures are looked up
+    /// together.
     template <class Seen, class Write>
-    void light(const shading::Few<Seen>& seen, Write&& write) const {
-        if (pass_.textures.size() > 1) return light_by_pixels(seen, write);
+    void light_few(const shading::Few<Seen>& seen, Write&& write) const {
         shading::Few<const Surface*> surfaces;
         for (int i = 0; i < seen.count(); ++i)
             surfaces.add([&] { return &seen[i].surface; });
@@ -41,6 +46,7 @@ public:
         for (int i = 0; i < seen.count(); ++i)
             write(i, lit(seen[i].faces, seen[i].surface, {normals[i], paints[i]}, 0));
     }
+
     Floats opacity(const PixelLanes& pixels) const {
         const Surface seen = surface(pixels);
         const auto of_material = [&](std::size_t number) {
@@ -51,16 +57,6 @@ public:
     }
 
 private:
-    template <class Seen, class Write>
-    void light_by_pixels(const shading::Few<Seen>& seen, Write&& write) const {
-        for (int i = 0; i < seen.count(); ++i) {
-            const auto& [x, faces, surface] = seen[i];
-            write(i, light_by_number(pass_, faces.face(), faces.shown, [&](std::size_t number) {
-                      return lit(faces, surface, look_of(pass_.textures[number], surface), number);
-                  }));
-        }
-    }
-
     ColorLanes lit(const FaceLanes& faces, const Surface& surface, const Look<Floats>& look,
                    std::size_t number) const {
         return illuminate_textured(model_, surface, look, pass_.object->materials[number],
