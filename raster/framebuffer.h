@@ -4,12 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include <glm/vec4.hpp>
 
 #include "raster/fixed.h"
 #include "raster/project.h"
+#include "raster/streams.h"
 
 namespace scanlight::raster {
 
@@ -49,7 +49,7 @@ private:
     std::size_t start(int y) const { return static_cast<std::size_t>(y) * row_length(); }
 
     Viewport size_;
-    std::vector<T> values_;
+    LineVector<T> values_;
 };
 
 /// Linear light, unclamped; alpha is 1 where something was drawn, and less where that covers a

@@ -62,6 +62,7 @@ struct PixelPlace {
 class VisibleBand {
 public:
     static constexpr int overrun = 64;
+    static constexpr int line = 16;  // pixels whose depths, say, are in one line of the cache
 
     /// Nothing is seen in `rows` of a picture of this width any more. Of what will be seen, so many
     /// numbers will be kept; they are any until then.
@@ -121,8 +122,8 @@ public:
         seen_.extend(x_begin, x_end);
         items_.extend(x_begin, x_end);
     }
-    /// Nothing is seen in other columns.
-    Columns touched() const { return seen_; }
+    /// Nothing is seen in other columns. They begin with a line of the cache.
+    Columns touched() const { return {seen_.begin / line * line, seen_.end}; }
 
     /// Nothing that is seen lies farther. Depths only come nearer: once found, this holds on.
     Depth farthest() const { return farthest_; }
@@ -152,9 +153,9 @@ private:
         width_ = width;
         most_rows_ = height;
         most_kept_ = kept;
-        stride_ = (width + overrun + 15) / 16 * 16;
+        stride_ = (width + overrun + line - 1) / line * line;
         // A pixel's numbers must not lie multiples of 4096 bytes apart: a store to the one would
-        // hold up loads of the other.
+        // hold up loads of the other. Planes begin with a line too.
         plane_ = (stride_ * height + 1023) / 1024 * 1024 + 160;
         memory_.assign(static_cast<std::size_t>(plane_ * (kept + 1)), no_item);
         std::fill_n(memory_.begin(), plane_, depth_clear);
@@ -179,7 +180,7 @@ private:
     Columns items_;  // where items may be
     std::ptrdiff_t stride_ = 0;
     std::ptrdiff_t plane_ = 0;
-    std::vector<std::int32_t> memory_;
+    LineVector<std::int32_t> memory_;
     std::vector<Depth> end_;  // the depths in front of which all layers lie
     PixelCounts counts_;
     Depth farthest_ = behind_everything;

@@ -47,8 +47,8 @@ private:
 
     std::ptrdiff_t stride_ = 0;
     int y_begin_ = 0;
-    std::vector<std::int32_t> counts_;  // the stencil
-    std::vector<std::int32_t> shadowed_;
+    raster::LineVector<std::int32_t> counts_;  // the stencil
+    raster::LineVector<std::int32_t> shadowed_;
     std::vector<raster::Depth> farthest_;  // see `raster::CountedBand`
     raster::TriangleCounter counter_;
 };

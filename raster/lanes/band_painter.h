@@ -125,8 +125,9 @@ private:
     std::size_t draw_long(int y, int x_begin, int x_end, const Ramp& depth,
                           const Ramp* attributes) {
         waiting_.keep();
-        RampLanes z(depth);
-        RampValues<Keep::attributes> values(attributes);
+        const int before = x_begin - first_vector(x_begin, x_end);
+        RampLanes z(depth, before);
+        RampValues<Keep::attributes> values(attributes, before);
         return HWY_NAMESPACE::draw_span(band_.row(y), x_begin, x_end, z, values, keep_,
                                         Ints(walked_));
     }

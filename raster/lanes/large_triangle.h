@@ -46,8 +46,9 @@ private:
     void draw_row(int y, int x_begin, int x_end) {
         if (x_begin == x_end) return;
         const std::int64_t dx = t_.depth_plane().dx;
-        RampLanes z(Ramp{t_.depth_at(x_begin, y), dx});
-        typename OneTriangle<Keep>::Values values(t_.attributes, t_.lane, x_begin, y);
+        const int x = first_vector(x_begin, x_end);
+        RampLanes z(Ramp{t_.depth_at(x, y), dx}, 0);
+        typename OneTriangle<Keep>::Values values(t_.attributes, t_.lane, x, y);
         values.step_right(t_.attributes, t_.lane);
         const std::size_t passed =
             draw_span(t_.band.row(y), x_begin, x_end, z, values, t_.keep, Ints(t_.own));

@@ -18,12 +18,19 @@ public:
 
     PixelCounts draw() const {
         PixelCounts counts;
-        for (int x = t_.x_begin(); x < t_.x_end(); x += lane_count)
+        for (int x = first_column(); x < t_.x_end(); x += lane_count)
             draw_column(x, counts);
         return counts;
     }
 
 private:
+    /// With a line of the cache, if that takes no vector more.
+    int first_column() const {
+        const int line = t_.x_begin() & -lane_count;
+        const auto vectors = [&](int x) { return (t_.x_end() - x + lane_count - 1) / lane_count; };
+        return vectors(line) > vectors(t_.x_begin()) ? t_.x_begin() : line;
+    }
+
     /// An edge function down a column a vector wide.
     struct EdgeDown {
         Ints value, dy;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "raster/fixed.h"
 #include "raster/lanes/keep.h"
 #include "raster/lanes/numbers.h"
@@ -22,9 +24,10 @@ public:
           whole_step_(whole(step)),
           fraction_step_(fraction(step)) {}
 
-    /// Steps along a row, a vector at a time.
-    explicit RampLanes(const Ramp& ramp)
-        : RampLanes(ramp.value, ramp.step_size, times_lanes(ramp.step_size)) {}
+    /// Steps along a row, a vector at a time, from so many pixels before the ramp begins.
+    RampLanes(const Ramp& ramp, int before)
+        : RampLanes(plus(ramp.value, times(ramp.step_size, -before)), ramp.step_size,
+                    times(ramp.step_size, lane_count)) {}
 
     Ints get() const { return whole_ + shift_right<ramp_bits>(fraction_); }
 
@@ -35,9 +38,14 @@ public:
 
 private:
     static constexpr std::int32_t half = 1 << (ramp_bits - 1);
-    /// Modulo 2^64, as all ramps are.
-    static std::int64_t times_lanes(std::int64_t step) {
-        return static_cast<std::int64_t>(static_cast<std::uint64_t>(step) * lane_count);
+    // Modulo 2^64, as all ramps are.
+    static std::int64_t times(std::int64_t step, int count) {
+        return static_cast<std::int64_t>(static_cast<std::uint64_t>(step) *
+                                         static_cast<std::uint64_t>(count));
+    }
+    static std::int64_t plus(std::int64_t a, std::int64_t b) {
+        return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) +
+                                         static_cast<std::uint64_t>(b));
     }
     static std::int32_t whole(std::int64_t v) { return static_cast<std::int32_t>(v >> ramp_bits); }
     static std::int32_t fraction(std::int64_t v) { return static_cast<std::int32_t>(v & 0xffff); }
@@ -60,9 +68,9 @@ inline std::int32_t ramp_at(const Ramp& ramp, int steps) {
 template <int N>
 class RampValues {
 public:
-    explicit RampValues(const Ramp* ramps) {
+    RampValues(const Ramp* ramps, int before) {
         for (int k = 0; k < N; ++k)
-            ramps_[k] = RampLanes(ramps[k]);
+            ramps_[k] = RampLanes(ramps[k], before);
     }
     void get(Ints* to) const {
         for (int k = 0; k < N; ++k)
@@ -77,23 +85,34 @@ private:
     RampLanes ramps_[N + 1];
 };
 
+/// Where the first vector of the pixels [x_begin, x_end) begins: with a line of the cache, each
+/// vector within one, unless a single vector suffices for them that does not.
+inline int first_vector(int x_begin, int x_end) {
+    const int line = x_begin & -lane_count;
+    const bool one_suffices = x_end - x_begin <= lane_count;
+    return one_suffices && x_end - line > lane_count ? x_begin : line;
+}
+
 /// Draws pixels [x_begin, x_end) of a row whose first pixel is `row`; `z` and `values` begin at
-/// x_begin and step along it: to copy them would take longer than many a span. Returns how many
-/// passed.
+/// first_vector(x_begin, x_end) and step along it: to copy them would take longer than many a span.
+/// Returns how many passed.
 template <class Keep, class Values>
 std::size_t draw_span(PixelPlace row, int x_begin, int x_end, RampLanes& z, Values& values,
                       const Keep& keep, Ints own) {
-    const Mask whole = first_lanes(lane_count);
     std::size_t passed = 0;
-    int x = x_begin;
-    for (; x + lane_count <= x_end; x += lane_count, z.step(), values.step()) {
+    int x = first_vector(x_begin, x_end);
+    const auto draw = [&](Mask covered) {
         passed +=
-            static_cast<std::size_t>(store_nearer(whole, z.get(), keep, own, values, row + x));
-    }
-    if (x < x_end) {
-        passed += static_cast<std::size_t>(
-            store_nearer(first_lanes(x_end - x), z.get(), keep, own, values, row + x));
-    }
+            static_cast<std::size_t>(store_nearer(covered, z.get(), keep, own, values, row + x));
+        x += lane_count;
+        z.step();
+        values.step();
+    };
+    const auto before = [&](int x_limit) { return first_lanes(std::min(x_limit - x, lane_count)); };
+    draw(before(x_end) & !before(x_begin));
+    while (x + lane_count <= x_end)
+        draw(first_lanes(lane_count));
+    if (x < x_end) draw(before(x_end));
     return passed;
 }
 
