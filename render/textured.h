@@ -17,6 +17,7 @@
 #include "shading/reflection.h"
 #include "shading/refraction.h"
 #include "shading/surface_textures.h"
+#include "shading/texture_lookup.h"
 #include "shading/whitted.h"
 
 namespace scanlight::render {
@@ -186,10 +187,7 @@ using Surfaces = shading::Few<const TexturedSurface<Real>*>;
 
 template <class Real>
 shading::Sites<Real> sites_of(const Surfaces<Real>& surfaces) {
-    shading::Sites<Real> sites;
-    for (int i = 0; i < surfaces.count(); ++i)
-        sites.add([&] { return &surfaces[i]->site; });
-    return sites;
+    return shading::few_of(surfaces.count(), [&](int i) { return &surfaces[i]->site; });
 }
 
 /// By what a texture, whose colour there is `texel`, and the vertices multiply a material's colour.
@@ -202,16 +200,13 @@ shading::Rgb<Real> color_on(const TexturedSurface<Real>& s, const shading::Rgb<R
 template <class Real>
 shading::Few<shading::Rgb<Real>> paints_on(const PlacedTextures& textures,
                                            const Surfaces<Real>& surfaces) {
-    shading::Few<shading::Rgb<Real>> paints;
-    if (!textures.diffuse) {
-        for (int i = 0; i < surfaces.count(); ++i)
-            paints.add([&] { return color_on(*surfaces[i], shading::Rgb<Real>(Real(1))); });
-        return paints;
-    }
+    const auto paint_by = [&](auto&& texel_of) {
+        return shading::few_of(surfaces.count(),
+                               [&](int i) { return color_on(*surfaces[i], texel_of(i)); });
+    };
+    if (!textures.diffuse) return paint_by([](int) { return shading::Rgb<Real>(Real(1)); });
     const auto texels = shading::colors_at(*textures.diffuse, sites_of(surfaces));
-    for (int i = 0; i < surfaces.count(); ++i)
-        paints.add([&] { return color_on(*surfaces[i], texels[i]); });
-    return paints;
+    return paint_by([&](int i) { return texels[i]; });
 }
 
 /// A normal as the normal map leaves it.
@@ -230,29 +225,20 @@ shading::Vec3<Real> mapped(const PlacedTextures& textures, const TexturedSurface
 template <class Real>
 shading::Few<shading::Vec3<Real>> normals_on(const PlacedTextures& textures,
                                              const Surfaces<Real>& surfaces) {
-    shading::Few<shading::Vec3<Real>> normals;
-    const auto add = [&](int i, auto&& bumped) {
-        const shading::Surface<Real>& smooth = surfaces[i]->surface;
-        normals.add([&] {
-            const auto normal = mapped(textures, *surfaces[i], bumped());
-            return shading::kept_in_sight(normal, smooth.normal, smooth.view);
+    const auto smooth = [&](int i) { return surfaces[i]->surface.normal; };
+    const auto wrinkled = [&](auto&& bumped) {
+        return shading::few_of(surfaces.count(), [&](int i) {
+            const auto& [point, N, view] = surfaces[i]->surface;
+            return shading::kept_in_sight(mapped(textures, *surfaces[i], bumped(i)), N, view);
         });
     };
-    if (textures.bump) {
-        const auto gradients = shading::height_gradients_at(*textures.bump, sites_of(surfaces));
-        for (int i = 0; i < surfaces.count(); ++i) {
-            const Real height = surfaces[i]->outward * Real(textures.bump_height);
-            add(i, [&] {
-                return shading::bumped_normal(surfaces[i]->surface.normal, gradients[i] * height);
-            });
-        }
-        return normals;
-    }
-    for (int i = 0; i < surfaces.count(); ++i) {
-        const shading::Vec3<Real>& N = surfaces[i]->surface.normal;
-        textures.normal ? add(i, [&] { return N; }) : normals.add([&] { return N; });
-    }
-    return normals;
+    if (!textures.bump)
+        return textures.normal ? wrinkled(smooth) : shading::few_of(surfaces.count(), smooth);
+    const auto gradients = shading::height_gradients_at(*textures.bump, sites_of(surfaces));
+    return wrinkled([&](int i) {
+        const Real height = surfaces[i]->outward * Real(textures.bump_height);
+        return shading::bumped_normal(smooth(i), gradients[i] * height);
+    });
 }
 
 /// What textures and vertices leave of a surface, and of its body's colour.
@@ -265,8 +251,7 @@ struct Look {
 /// At one place.
 template <class Real>
 Look<Real> look_of(const PlacedTextures& textures, const TexturedSurface<Real>& s) {
-    Surfaces<Real> one;
-    one.add([&] { return &s; });
+    const Surfaces<Real> one = shading::few_of(1, [&](int) { return &s; });
     return {normals_on(textures, one)[0], paints_on(textures, one)[0]};
 }
 

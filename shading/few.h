@@ -40,4 +40,13 @@ private:
     int count_ = 0;
 };
 
+/// make(0), make(1), …: `count` of them.
+template <class Make>
+auto few_of(int count, Make&& make) {
+    Few<std::remove_cvref_t<decltype(make(0))>> made;
+    for (int i = 0; i < count; ++i)
+        made.add([&] { return make(i); });
+    return made;
+}
+
 }  // namespace scanlight::shading

@@ -114,15 +114,11 @@ struct CookTorrance {
     void at_few(const Few<const Surface<Real>*>& surfaces, const Material<Number, Power>& material,
                 const Few<Incident<Real>>& lights, Take&& take) const noexcept {
         const Microfacets& facets = material.facets;
-        Few<FacetAngles<Real>> angles;
-        for (int i = 0; i < surfaces.count(); ++i) {
-            const Surface<Real>& surface = *surfaces[i];
-            angles.add(
-                [&] { return facet_angles(surface.normal, lights[i].direction, surface.view); });
-        }
-        Few<Real> shares;
-        for (int i = 0; i < surfaces.count(); ++i)
-            shares.add([&] { return facets_share(angles[i], facets.slopes); });
+        const auto angles = few_of(surfaces.count(), [&](int i) {
+            return facet_angles(surfaces[i]->normal, lights[i].direction, surfaces[i]->view);
+        });
+        const auto shares =
+            few_of(angles.count(), [&](int i) { return facets_share(angles[i], facets.slopes); });
         for (int i = 0; i < surfaces.count(); ++i) {
             const Rgb<Real> mirrored = reflectance_at(angles[i].VH, facets.reflectance) * shares[i];
             take(i, together(*surfaces[i], material, lights[i], mirrored));
@@ -187,13 +183,12 @@ template <class Model, class Real, class Number, class Power, class LightNumber,
 void illuminate_few(const Model& model, const Few<const Surface<Real>*>& surfaces,
                     const Material<Number, Power>& material, const Lighting<LightNumber>& lighting,
                     const Arriving& arriving, Take&& take) noexcept {
-    Few<Rgb<Real>> intensities;
-    for (int i = 0; i < surfaces.count(); ++i)
-        intensities.add([&] { return unlit<Real>(material, lighting); });
+    auto intensities =
+        few_of(surfaces.count(), [&](int) { return unlit<Real>(material, lighting); });
     for (std::size_t k = 0; k < lighting.lights.size(); ++k) {
-        Few<Incident<Real>> incidents;
-        for (int i = 0; i < surfaces.count(); ++i)
-            incidents.add([&] { return incident_at(lighting.lights[k], surfaces[i]->point); });
+        const auto incidents = few_of(surfaces.count(), [&](int i) {
+            return incident_at(lighting.lights[k], surfaces[i]->point);
+        });
         model.at_few(surfaces, material, incidents, [&](int i, const Rgb<Real>& term) {
             intensities[i] = intensities[i] + arriving(i, k, term);
         });

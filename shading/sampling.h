@@ -209,12 +209,9 @@ template <class Part, class Real, class Take>
 void sample_finest(const TexelImage& image, Wrap wrap, const Few<TextureSpot<Real>>& spots,
                    Take&& take) noexcept {
     const TexelLevel<Real> finest(image);
-    Few<TexelQuad<Real>> quads;
-    for (int i = 0; i < spots.count(); ++i) {
-        quads.add([&] {
-            return quad_at(finest, wrapped(spots[i].u, wrap), wrapped(spots[i].v, wrap), wrap);
-        });
-    }
+    const auto quads = few_of(spots.count(), [&](int i) {
+        return quad_at(finest, wrapped(spots[i].u, wrap), wrapped(spots[i].v, wrap), wrap);
+    });
     for (int i = 0; i < quads.count(); ++i)
         take(i, mixed_texels<Part>(image, finest, quads[i]));
 }

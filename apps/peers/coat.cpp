@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "render/texture_image.h"
+#include "shading/slopes.h"
 
 namespace scanlight::peers {
 

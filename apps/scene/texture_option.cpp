@@ -9,6 +9,7 @@
 #include "apps/scene/scene_image.h"
 #include "apps/scene/usage_error.h"
 #include "apps/scene/words.h"
+#include "shading/slopes.h"
 
 namespace scanlight::apps {
 

@@ -19,8 +19,7 @@ public:
           band_(band),
           shadows_(shadows) {}
 
-    /// First what surfaces some vectors of pixels show, then their light: each of the two loops is
-    /// short enough for the processor to work on several vectors at a time.
+    /// First what surfaces a few vectors of pixels show, then their light.
     SCANLIGHT_FLATTEN std::size_t light(int y, RowWriter& to) const {
         const raster::Columns columns = band_.touched();
         std::size_t pixels = 0;

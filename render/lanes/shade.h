@@ -141,9 +141,8 @@ public:
     requires(requires { Model::works_on_few; } &&
              paint == Paint::material) void light_few(const shading::Few<Seen>& seen,
                                                       Write&& write) const {
-        shading::Few<const shading::Surface<Floats>*> surfaces;
-        for (int i = 0; i < seen.count(); ++i)
-            surfaces.add([&] { return &seen[i].surface.seen; });
+        const auto surfaces =
+            shading::few_of(seen.count(), [&](int i) { return &seen[i].surface.seen; });
         const auto arriving = [&](int i, std::size_t light, const ColorLanes& term) {
             return Unshadowed{seen[i].faces.shadowed}(light, term);
         };

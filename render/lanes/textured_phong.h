@@ -38,9 +38,8 @@ public:
     /// together.
     template <class Seen, class Write>
     void light_few(const shading::Few<Seen>& seen, Write&& write) const {
-        shading::Few<const Surface*> surfaces;
-        for (int i = 0; i < seen.count(); ++i)
-            surfaces.add([&] { return &seen[i].surface; });
+        const auto surfaces =
+            shading::few_of(seen.count(), [&](int i) { return &seen[i].surface; });
         const auto normals = normals_on(pass_.textures.front(), surfaces);
         const auto paints = paints_on(pass_.textures.front(), surfaces);
         for (int i = 0; i < seen.count(); ++i)

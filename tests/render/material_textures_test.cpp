@@ -5,6 +5,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "shading/luminance.h"
+
 namespace scanlight::render {
 namespace {
 

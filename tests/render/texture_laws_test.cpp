@@ -9,6 +9,7 @@
 
 #include "mesh/bounds.h"
 #include "render/texture_fit.h"
+#include "shading/pattern.h"
 #include "tests/render/scenes.h"
 
 namespace scanlight::render {

@@ -5,7 +5,7 @@
 #include "mesh/bounds.h"
 #include "mesh/shapes.h"
 #include "render/texture_fit.h"
-#include "shading/texture.h"
+#include "shading/texture_lookup.h"
 #include "tests/render/scenes.h"
 
 namespace scanlight::render {

@@ -1,6 +1,7 @@
 #include <string>
 #include <vector>
 
+#include "shading/slopes.h"
 #include "tests/render/scenes.h"
 #include "tests/same_bits/lights.h"
 #include "tests/same_bits/materials.h"

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -12,7 +14,7 @@
 #include "shading/mapping.h"
 #include "shading/pattern.h"
 #include "shading/sampling.h"
-#include "shading/texture.h"
+#include "shading/texture_lookup.h"
 #include "tests/shading/random.h"
 
 namespace scanlight::shading {
@@ -73,6 +75,14 @@ TEST(ImageTexture, FromFarAwayIsItsMean) {
         0.5 * (1.0 + 0.4375), close);
 }
 
+TexelImage image_of_noise(int width, int height) {
+    Random random(6);
+    std::vector<float> rgba;
+    for (int i = 0; i < 4 * width * height; ++i)
+        rgba.push_back(static_cast<float>(random.between(0, 1)));
+    return {width, height, rgba};
+}
+
 TEST(ImageTexture, LevelsKeepTheMeanOfSidesThatAreNoPowersOfTwo) {
     Random random(2);
     const int width = 13;
@@ -87,6 +97,65 @@ TEST(ImageTexture, LevelsKeepTheMeanOfSidesThatAreNoPowersOfTwo) {
     const auto far_away =
         sampled<TexelColor<double>>(image, Filter::trilinear, Wrap::repeat, Spot{0.5, 0.5, 1e12}).x;
     EXPECT_NEAR(far_away, mean, 5e-4);
+}
+
+TEST(ImageTexture, GoesOnInItsBorderAsIfItWereRepeated) {
+    const TexelImage image = image_of_noise(5, 3);
+    const auto at = [&](int x, int y) {
+        return TexelColor<float>::at(image.words(), image.index(x, y));
+    };
+    for (int y = -1; y <= 3; ++y) {
+        for (int x = -1; x <= 5; ++x)
+            EXPECT_EQ(at(x, y), at((x + 5) % 5, (y + 3) % 3)) << x << ", " << y;
+    }
+}
+
+Texture random_texture(Random& random) {
+    Texture texture;
+    texture.pattern = static_cast<Pattern>(random.between(0, 8));
+    texture.mapping = static_cast<Mapping>(random.between(0, 5));
+    texture.filter = static_cast<Filter>(random.between(0, 3));
+    texture.wrap = static_cast<Wrap>(random.between(0, 3));
+    texture.low = Rgb<float>(random.between(0, 1) < 0.5 ? 0.0f : 0.25f);
+    if (random.between(0, 1) < 0.5) texture.pattern = Pattern::image;
+    static const auto image = std::make_shared<const TexelImage>(image_of_noise(16, 8));
+    texture.image = image;
+    return texture;
+}
+
+/// Some see the texture from so near that a texel covers pixels, some from far away.
+TextureSite<float> random_site(Random& random) {
+    const auto vector = [&](double half_side) { return Vec3<float>(random.in_cube(half_side)); };
+    const double size = std::exp2(random.between(-12, 0));
+    const PixelSteps<Vec3<float>> steps{vector(size), vector(size)};
+    const Vec3<float> point = vector(2);
+    return {point,
+            {point.x, point.z},
+            PixelSteps<glm::vec<2, float>>{{steps.right.x, steps.right.z},
+                                           {steps.down.x, steps.down.z}},
+            UvGradients<float>{vector(1), vector(1)},
+            steps};
+}
+
+TEST(Texture, OfAFewSitesIsThatOfEach) {
+    Random random(5);
+    for (int i = 0; i < 2000; ++i) {
+        const Texture texture = random_texture(random);
+        const PlacedTexture placed{&texture, glm::mat4(1.0f)};
+        std::vector<TextureSite<float>> memory;
+        for (int k = 0; k < few; ++k)
+            memory.push_back(random_site(random));
+        const Sites<float> sites =
+            few_of(few, [&](int k) { return &std::as_const(memory[static_cast<std::size_t>(k)]); });
+        const auto colors = colors_at(placed, sites);
+        const auto gradients = height_gradients_at(placed, sites);
+        ASSERT_EQ(colors.count(), few);
+        for (int k = 0; k < few; ++k) {
+            const auto one = one_site(memory[static_cast<std::size_t>(k)]);
+            ASSERT_EQ(colors[k], colors_at(placed, one)[0]);
+            ASSERT_EQ(gradients[k], height_gradients_at(placed, one)[0]);
+        }
+    }
 }
 
 TEST(HalfFloat, KeepsWhatItHasAndRoundsTheRest) {
