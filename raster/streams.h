@@ -19,13 +19,16 @@ struct LineAllocator {
 
     LineAllocator() = default;
     template <class U>
-    LineAllocator(const LineAllocator<U>&) {}
+    LineAllocator(const LineAllocator<U>&) noexcept {}
 
     T* allocate(std::size_t n) {
         return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{line}));
     }
     void deallocate(T* memory, std::size_t) { ::operator delete (memory, std::align_val_t{line}); }
-    friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
+    template <class U>
+    bool operator==(const LineAllocator<U>&) const {
+        return true;
+    }
 };
 
 template <class T>

@@ -62,7 +62,8 @@ struct PixelPlace {
 class VisibleBand {
 public:
     static constexpr int overrun = 64;
-    static constexpr int line = 16;  // pixels whose depths, say, are in one line of the cache
+    /// Pixels whose depths, say, are in one line of the cache.
+    static constexpr int line = LineAllocator<Depth>::line / sizeof(Depth);
 
     /// Nothing is seen in `rows` of a picture of this width any more. Of what will be seen, so many
     /// numbers will be kept; they are any until then.
@@ -122,7 +123,8 @@ public:
         seen_.extend(x_begin, x_end);
         items_.extend(x_begin, x_end);
     }
-    /// Nothing is seen in other columns. They begin with a line of the cache.
+    /// Nothing is seen in other columns. They begin with a line of the cache, up to 15 columns
+    /// before the first that was touched.
     Columns touched() const { return {seen_.begin / line * line, seen_.end}; }
 
     /// Nothing that is seen lies farther. Depths only come nearer: once found, this holds on.

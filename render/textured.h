@@ -13,6 +13,7 @@
 #include "render/transform.h"
 #include "shading/bump.h"
 #include "shading/environment.h"
+#include "shading/few.h"
 #include "shading/illumination.h"
 #include "shading/reflection.h"
 #include "shading/refraction.h"

@@ -18,7 +18,7 @@ struct Microfacets {
 /// How the light falls on the facets that mirror it to the viewer, and they lean: cosines.
 template <class Real>
 struct FacetAngles {
-    Real NL, NV, NH, VH;  // N.V no less than 1e-4; V.H where it is not above 0: 1
+    Real NL, NV, NH, VH;  // N.V no less than 1e-4; V.H is 1 where they are not seen lit
     decltype((Real(0) > Real(0)) & (Real(0) > Real(0))) are_seen_lit;
 };
 

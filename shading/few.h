@@ -15,7 +15,7 @@ inline constexpr int few = 4;
 template <class T>
 class Few {
 public:
-    static_assert(std::is_trivially_destructible_v<T>);
+    static_assert(std::is_trivially_copyable_v<T>);
 
     /// There must be room. `make` returns the thing.
     template <class Make>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -176,10 +177,16 @@ Rgb<Real> illuminate(const Model& model, const Surface<Real>& surface,
                        arriving);
 }
 
-/// `illuminate`, of a few surfaces of one material by a model that takes each step of its way for
-/// all of them. Calls `take(i, color)` for each; `arriving(i, light, term)`.
-template <class Model, class Real, class Number, class Power, class LightNumber, class Arriving,
-          class Take>
+/// A model that takes each step of its way for a few surfaces together.
+template <class Model>
+concept WorksOnFew = requires {
+    requires Model::works_on_few;
+};
+
+/// `illuminate`, of a few surfaces of one material. Calls `take(i, color)` for each; `arriving(i,
+/// light, term)`.
+template <WorksOnFew Model, class Real, class Number, class Power, class LightNumber,
+          class Arriving, class Take>
 void illuminate_few(const Model& model, const Few<const Surface<Real>*>& surfaces,
                     const Material<Number, Power>& material, const Lighting<LightNumber>& lighting,
                     const Arriving& arriving, Take&& take) noexcept {

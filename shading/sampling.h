@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "shading/angle.h"
 #include "shading/base2.h"
 #include "shading/few.h"
@@ -91,7 +93,7 @@ struct TexelLevel {
           begin(Wholes<Real>::fetched(image.begins(), level)) {}
 
     /// From a row to the next.
-    Whole<Real> stride() const noexcept { return width + Whole<Real>(TexelImage::border); }
+    Whole<Real> stride() const noexcept { return width + Whole<Real>(2 * TexelImage::border); }
     Whole<Real> index(Whole<Real> x, Whole<Real> y) const noexcept {
         return begin + y * stride() + x;
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "shading/sampling.h"
 #include "shading/texel_image.h"
 

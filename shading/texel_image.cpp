@@ -108,7 +108,7 @@ void TexelImage::add_level(int width, int height, std::span<const float> rgba) {
         return rgba.subspan(static_cast<std::size_t>(y) * length, length);
     };
     const auto begin = static_cast<std::int32_t>(words_.size() / words_a_texel);
-    begins_.push_back(begin + width + border + 1);
+    begins_.push_back(begin + (width + 2 * border) + border);
     widths_.push_back(width);
     heights_.push_back(height);
     add_row(row(height - 1));

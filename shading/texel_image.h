@@ -19,7 +19,7 @@ class TexelImage {
 public:
     static constexpr int most_levels = 15;
     static constexpr int words_a_texel = 2;
-    static constexpr int border = 2;  // by how much rows in memory are longer than levels are wide
+    static constexpr int border = 1;  // texels, on each side
 
     /// `rgba`: width x height texels of four numbers, row by row; the first row is at v = 0.
     /// Sides from 1 to 16384.
@@ -32,7 +32,7 @@ public:
 
     /// Of a texel of level 0, or of its border: its number in memory.
     std::int32_t index(int x, int y) const noexcept {
-        return begins_.front() + y * (width() + border) + x;
+        return begins_.front() + y * (width() + 2 * border) + x;
     }
 
     // By level: its sides, and the number of its first texel.

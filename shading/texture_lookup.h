@@ -19,10 +19,10 @@ Few<TextureSpot<Real>> spots_on(const PlacedTexture& placed, const Sites<Real>& 
     return few_of(sites.count(), [&](int i) { return spot_on(placed, *sites[i]); });
 }
 
-/// From `low` to `high`.
-class Colors {
+/// Of a texture: takes what a pattern shows, 0 to 1, to its own colours.
+class FromLowToHigh {
 public:
-    explicit Colors(const Texture& t)
+    [[gnu::always_inline]] explicit FromLowToHigh(const Texture& t)
         : texture_(t), are_plain_(t.low == Rgb<float>(0.0f) && t.high == Rgb<float>(1.0f)) {}
 
     template <class Real>
@@ -39,7 +39,7 @@ private:
 
 template <class Real>
 Rgb<Real> between(const Texture& t, const Rgb<Real>& share_of_high) noexcept {
-    return Colors(t)(share_of_high);
+    return FromLowToHigh(t)(share_of_high);
 }
 
 template <class Real>
@@ -78,7 +78,7 @@ Rgb<Real> function_color(const Texture& t, Real u, Real v) noexcept {
 template <class Real>
 Few<Rgb<Real>> image_colors(const PlacedTexture& placed, const Sites<Real>& sites) noexcept {
     const Texture& t = *placed.texture;
-    const Colors colored(t);
+    const FromLowToHigh colored(t);
     Few<Rgb<Real>> colors;
     sample<TexelColor<Real>>(
         *t.image, t.filter, t.wrap, spots_on(placed, sites),

@@ -24,7 +24,7 @@ public:
     }
 
 private:
-    /// With a line of the cache, if that takes no vector more.
+    /// With a line of the cache, if that takes no vector more: each is a whole column here.
     int first_column() const {
         const int line = t_.x_begin() & -lane_count;
         const auto vectors = [&](int x) { return (t_.x_end() - x + lane_count - 1) / lane_count; };

@@ -85,8 +85,8 @@ private:
     RampLanes ramps_[N + 1];
 };
 
-/// Where the first vector of the pixels [x_begin, x_end) begins: with a line of the cache, each
-/// vector within one, unless a single vector suffices for them that does not.
+/// Where the first vector of the pixels [x_begin, x_end) begins: with a line of the cache, so that
+/// each vector lies within one; or at x_begin, where one vector then holds them all and else not.
 inline int first_vector(int x_begin, int x_end) {
     const int line = x_begin & -lane_count;
     const bool one_suffices = x_end - x_begin <= lane_count;

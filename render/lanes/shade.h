@@ -6,6 +6,7 @@
 #include "render/lanes/textured_phong.h"
 #include "render/painted.h"
 #include "render/undivided.h"
+#include "shading/few.h"
 
 namespace scanlight::render::HWY_NAMESPACE {
 
@@ -115,6 +116,8 @@ private:
 template <class Model, Paint paint>
 class PhongLanes {
 public:
+    static constexpr bool lights_few = shading::WorksOnFew<Model> && paint == Paint::material;
+
     struct Surface {
         shading::Surface<Floats> seen;
         ColorLanes color;  // the vertices'
@@ -138,9 +141,7 @@ public:
 
     /// Calls `write(i, color)` for each of a few vectors of pixels.
     template <class Seen, class Write>
-    requires(requires { Model::works_on_few; } &&
-             paint == Paint::material) void light_few(const shading::Few<Seen>& seen,
-                                                      Write&& write) const {
+    void light_few(const shading::Few<Seen>& seen, Write&& write) const requires(lights_few) {
         const auto surfaces =
             shading::few_of(seen.count(), [&](int i) { return &seen[i].surface.seen; });
         const auto arriving = [&](int i, std::size_t light, const ColorLanes& term) {

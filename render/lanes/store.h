@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <span>
+#include <variant>
+
 #include "raster/lanes/numbers.h"
 #include "raster/lanes/pack.h"
 #include "render/object_pass.h"
@@ -41,9 +45,9 @@ inline void store_background(raster::Columns seen, const PackedTarget& target, i
 /// Where a row's colours go as they are found, a vector of pixels after the other.
 class RowWriter {
 public:
-    virtual void write(int x, Mask shown, Floats red, Floats green, Floats blue) = 0;
+    virtual void write(int x, Mask shown, Floats red, Floats green, Floats blue) noexcept = 0;
     /// Nothing of what is lit shows in the vector from x on.
-    virtual void leave_out(int x) = 0;
+    virtual void leave_out(int x) noexcept = 0;
 
 protected:
     ~RowWriter() = default;
@@ -62,13 +66,13 @@ public:
         if (background == Background::drawn) store_background(seen, target, y);
     }
 
-    void write(int x, Mask shown, Floats red, Floats green, Floats blue) override {
+    void write(int x, Mask shown, Floats red, Floats green, Floats blue) noexcept override {
         const int room = end_ - x;
         const Ints packed = pack_lanes<encoding>(red, green, blue);
         const Ints other = background_ == Background::drawn ? Ints(nothing_) : kept(out_ + x, room);
         store_some(select(shown, packed, other), room, out_ + x);
     }
-    void leave_out(int x) override {
+    void leave_out(int x) noexcept override {
         if (background_ == Background::drawn) store_some(Ints(nothing_), end_ - x, out_ + x);
     }
 
@@ -87,7 +91,7 @@ public:
         if (background == Background::drawn) std::ranges::fill(out_, target.background);
     }
 
-    void write(int x, Mask shown, Floats red, Floats green, Floats blue) override {
+    void write(int x, Mask shown, Floats red, Floats green, Floats blue) noexcept override {
         const Floats channels[] = {red, green, blue};
         float color[3][lane_count];
         for (int c = 0; c < 3; ++c)
@@ -98,7 +102,7 @@ public:
             out_[static_cast<std::size_t>(x + i)] = {color[0][i], color[1][i], color[2][i], 1.0f};
         }
     }
-    void leave_out(int) override {}
+    void leave_out(int) noexcept override {}
 
 private:
     std::span<raster::Rgba> out_;
@@ -110,12 +114,12 @@ class StreamRow final : public RowWriter {
 public:
     explicit StreamRow(VectorStreams& row) : row_(row) {}
 
-    void write(int x, Mask, Floats red, Floats green, Floats blue) override {
+    void write(int x, Mask, Floats red, Floats green, Floats blue) noexcept override {
         store(red, row_.x.data() + x);
         store(green, row_.y.data() + x);
         store(blue, row_.z.data() + x);
     }
-    void leave_out(int) override {}
+    void leave_out(int) noexcept override {}
 
 private:
     VectorStreams& row_;

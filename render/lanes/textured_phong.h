@@ -5,6 +5,7 @@
 #include "render/lanes/face_uvs.h"
 #include "render/lanes/pixel_lanes.h"
 #include "render/textured.h"
+#include "shading/few.h"
 
 namespace scanlight::render::HWY_NAMESPACE {
 

@@ -150,7 +150,6 @@ Rgb<double> lit_from(const Material<double>& material, double light_deg, double 
     return illuminate<CookTorrance>(surface, material, {Rgb<double>(0), {light}});
 }
 
-/// The diffuse halves of both models agree.
 TEST(CookTorrance, OfAFewSurfacesIsThatOfEach) {
     Random random(7);
     Lighting<float> lighting{Rgb<float>(0.1f), {}};
@@ -184,6 +183,7 @@ TEST(CookTorrance, OfAFewSurfacesIsThatOfEach) {
     }
 }
 
+/// The diffuse halves of both models agree.
 TEST(CookTorrance, WithoutFacetsIsLamberts) {
     const Rgb<double> light = lit_from(material_of(dielectric(1.5), 0), 40, 10);
     expect_value(light, Rgb<double>(0.5 * cos_deg<double>(40)));

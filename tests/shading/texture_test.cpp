@@ -99,14 +99,21 @@ TEST(ImageTexture, LevelsKeepTheMeanOfSidesThatAreNoPowersOfTwo) {
     EXPECT_NEAR(far_away, mean, 5e-4);
 }
 
-TEST(ImageTexture, GoesOnInItsBorderAsIfItWereRepeated) {
-    const TexelImage image = image_of_noise(5, 3);
-    const auto at = [&](int x, int y) {
-        return TexelColor<float>::at(image.words(), image.index(x, y));
-    };
-    for (int y = -1; y <= 3; ++y) {
-        for (int x = -1; x <= 5; ++x)
-            EXPECT_EQ(at(x, y), at((x + 5) % 5, (y + 3) % 3)) << x << ", " << y;
+TEST(ImageTexture, GoesOnInTheBordersOfItsLevelsAsIfItWereRepeated) {
+    for (const glm::ivec2 size : {glm::ivec2(5, 3), glm::ivec2(1, 7), glm::ivec2(1, 1)}) {
+        const TexelImage image = image_of_noise(size.x, size.y);
+        for (int level = 0; level < image.levels(); ++level) {
+            const int width = image.width(level);
+            const int height = image.height(level);
+            const auto at = [&](int x, int y) {
+                const int stride = width + 2 * TexelImage::border;
+                return TexelColor<float>::at(image.words(), image.begins()[level] + y * stride + x);
+            };
+            for (int y = -1; y <= height; ++y) {
+                for (int x = -1; x <= width; ++x)
+                    EXPECT_EQ(at(x, y), at((x + width) % width, (y + height) % height));
+            }
+        }
     }
 }
 
@@ -116,6 +123,7 @@ Texture random_texture(Random& random) {
     texture.mapping = static_cast<Mapping>(random.between(0, 5));
     texture.filter = static_cast<Filter>(random.between(0, 3));
     texture.wrap = static_cast<Wrap>(random.between(0, 3));
+    texture.repeat = {random.between(-2, 2), 1.5f};
     texture.low = Rgb<float>(random.between(0, 1) < 0.5 ? 0.0f : 0.25f);
     if (random.between(0, 1) < 0.5) texture.pattern = Pattern::image;
     static const auto image = std::make_shared<const TexelImage>(image_of_noise(16, 8));
@@ -142,15 +150,17 @@ TEST(Texture, OfAFewSitesIsThatOfEach) {
     for (int i = 0; i < 2000; ++i) {
         const Texture texture = random_texture(random);
         const PlacedTexture placed{&texture, glm::mat4(1.0f)};
+        const int count = 1 + i % few;
         std::vector<TextureSite<float>> memory;
-        for (int k = 0; k < few; ++k)
+        for (int k = 0; k < count; ++k)
             memory.push_back(random_site(random));
-        const Sites<float> sites =
-            few_of(few, [&](int k) { return &std::as_const(memory[static_cast<std::size_t>(k)]); });
+        const Sites<float> sites = few_of(
+            count, [&](int k) { return &std::as_const(memory[static_cast<std::size_t>(k)]); });
         const auto colors = colors_at(placed, sites);
         const auto gradients = height_gradients_at(placed, sites);
-        ASSERT_EQ(colors.count(), few);
-        for (int k = 0; k < few; ++k) {
+        ASSERT_EQ(colors.count(), count);
+        ASSERT_EQ(gradients.count(), count);
+        for (int k = 0; k < count; ++k) {
             const auto one = one_site(memory[static_cast<std::size_t>(k)]);
             ASSERT_EQ(colors[k], colors_at(placed, one)[0]);
             ASSERT_EQ(gradients[k], height_gradients_at(placed, one)[0]);
