@@ -15,7 +15,7 @@ struct Microfacets {
     double share = 0;  // K_s, 0 to 1: of the light that meets facets; the body has K_d = 1 - K_s
 };
 
-/// How the light falls on the facets that mirror it to the viewer, and they lean: cosines.
+/// How light falls on the facets that mirror it to the viewer, and how these lean: cosines.
 template <class Real>
 struct FacetAngles {
     Real NL, NV, NH, VH;  // N.V no less than 1e-4; V.H is 1 where they are not seen lit

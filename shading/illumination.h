@@ -102,10 +102,10 @@ struct CookTorrance {
     template <class Real, class Number, class Power>
     Rgb<Real> operator()(const Surface<Real>& surface, const Material<Number, Power>& material,
                          const Incident<Real>& light) const noexcept {
-        const auto& [point, N, V] = surface;
-        const Vec3<Real>& L = light.direction;
-        const auto& [slopes, reflectance, K_s] = material.facets;
-        return together(surface, material, light, cook_torrance(N, L, V, slopes, reflectance));
+        const Microfacets& facets = material.facets;
+        return together(surface, material, light,
+                        cook_torrance(surface.normal, light.direction, surface.view, facets.slopes,
+                                      facets.reflectance));
     }
 
     static constexpr bool works_on_few = true;
