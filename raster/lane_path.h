@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 
@@ -19,10 +20,31 @@ struct SpanPainter {
                            const Ramp* attributes) = 0;
 };
 
+/// The attributes of a polygon of up to four corners as they are interpolated, if all of it lies
+/// inside the view volume; of others they are of no use.
+class CornerAttributes {
+public:
+    static constexpr int most_corners = 4;
+
+    /// The first corner's first one; from an attribute to the next, and from a corner to the next.
+    CornerAttributes(const Attribute* first, std::ptrdiff_t next, std::ptrdiff_t next_corner)
+        : first_(first), next_(next), next_corner_(next_corner) {}
+
+    Attribute at(std::size_t corner, std::size_t attribute) const {
+        return first_[static_cast<std::ptrdiff_t>(corner) * next_corner_ +
+                      static_cast<std::ptrdiff_t>(attribute) * next_];
+    }
+
+private:
+    const Attribute* first_;
+    std::ptrdiff_t next_, next_corner_;
+};
+
 /// Draws a polygon that is no whole triangle with a plane: by the walk down its edges.
 struct Walker {
     virtual ~Walker();
-    virtual void draw(FaceItem face, SpanPainter& spans) = 0;
+    /// `known` may be null.
+    virtual void draw(FaceItem face, const CornerAttributes* known, SpanPainter& spans) = 0;
 };
 
 /// The vector code of this room for one instruction set. All sets give the same bits.

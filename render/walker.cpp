@@ -71,14 +71,33 @@ void gather_on_screen(const ObjectPass& pass, raster::FaceItem item,
     }
 }
 
+/// The same, of corners whose attributes are known.
+template <int N>
+void gather_on_screen(const ObjectPass& pass, std::span<const std::uint32_t> vertices,
+                      const raster::CornerAttributes& known,
+                      std::vector<raster::ScreenVertex<N>>& corners) {
+    corners.resize(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        auto& corner = corners[i];
+        corner.x = pass.polygons.x[vertices[i]];
+        corner.y = pass.polygons.y[vertices[i]];
+        corner.z = pass.polygons.z[vertices[i]];
+        for (std::size_t k = 0; k < N; ++k)
+            corner.attributes[k] = known.at(i, k);
+    }
+}
+
 template <int N>
 void gather_corners(const ObjectPass& pass, raster::FaceItem item,
+                    const raster::CornerAttributes* known,
                     std::vector<raster::ScreenVertex<N>>& corners) {
     const auto vertices = pass.mesh().face(item & raster::face_mask);
-    if (is_inside(pass, vertices)) {
-        gather_on_screen(pass, item, vertices, corners);
-    } else {
+    if (!is_inside(pass, vertices)) {
         corners = clipped<N>(pass, item);
+    } else if (known != nullptr && vertices.size() <= raster::CornerAttributes::most_corners) {
+        gather_on_screen(pass, vertices, *known, corners);
+    } else {
+        gather_on_screen(pass, item, vertices, corners);
     }
 }
 
@@ -93,29 +112,31 @@ std::vector<raster::ScreenVertex<0>> clipped_face(const ObjectPass& pass, std::s
     return clipped<0>(pass, static_cast<raster::FaceItem>(face));
 }
 
-void Walker::draw(raster::FaceItem face, raster::SpanPainter& spans) {
+void Walker::draw(raster::FaceItem face, const raster::CornerAttributes* known,
+                  raster::SpanPainter& spans) {
     switch (pass_.attributes.count) {
         case 0:
-            return walk<0>(face, spans);
+            return walk<0>(face, known, spans);
         case 3:
-            return walk<3>(face, spans);
+            return walk<3>(face, known, spans);
         case 4:
-            return walk<4>(face, spans);
+            return walk<4>(face, known, spans);
         case 6:
-            return walk<6>(face, spans);
+            return walk<6>(face, known, spans);
         case 7:
-            return walk<7>(face, spans);
+            return walk<7>(face, known, spans);
         case 9:
-            return walk<9>(face, spans);
+            return walk<9>(face, known, spans);
         default:
             assert(false && "no technique has so many attributes");
     }
 }
 
 template <int N>
-void Walker::walk(raster::FaceItem face, raster::SpanPainter& spans) {
+void Walker::walk(raster::FaceItem face, const raster::CornerAttributes* known,
+                  raster::SpanPainter& spans) {
     auto& [filler, corners] = std::get<WalkMemory<N>>(memories_);
-    gather_corners(pass_, face, corners);
+    gather_corners(pass_, face, known, corners);
     const auto emit = [&](const raster::Span<N>& span) {
         spans.draw_span(span.y, span.x_begin, span.x_end, span.ramps.depth,
                         span.ramps.attributes.data());

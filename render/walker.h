@@ -32,11 +32,13 @@ public:
     Walker(const ObjectPass& pass, WalkMemories& memories, raster::Rows rows)
         : pass_(pass), memories_(memories), rows_(rows) {}
 
-    void draw(raster::FaceItem face, raster::SpanPainter& spans) override;
+    void draw(raster::FaceItem face, const raster::CornerAttributes* known,
+              raster::SpanPainter& spans) override;
 
 private:
     template <int N>
-    void walk(raster::FaceItem face, raster::SpanPainter& spans);
+    void walk(raster::FaceItem face, const raster::CornerAttributes* known,
+              raster::SpanPainter& spans);
 
     const ObjectPass& pass_;
     WalkMemories& memories_;

@@ -19,7 +19,8 @@ struct AllSpans : raster::Walker {
     int length;
 
     explicit AllSpans(int pixels) : length(pixels) {}
-    void draw(raster::FaceItem, raster::SpanPainter& painter) override {
+    void draw(raster::FaceItem, const raster::CornerAttributes*,
+              raster::SpanPainter& painter) override {
         constexpr std::int64_t half = 1 << 28;
         const raster::Ramp attributes[] = {ramp(half, 1000), ramp(half, -1000), ramp(half, 500),
                                            ramp(2 * half, 0)};

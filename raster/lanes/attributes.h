@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raster/attributes.h"
+#include "raster/lane_path.h"
 #include "raster/lanes/planes.h"
 
 namespace scanlight::raster::HWY_NAMESPACE {
@@ -26,6 +27,16 @@ struct alignas(64) PreparedAttributes {
     std::int32_t whole[N + 1][lane_count], dx[N + 1][lane_count], dy[N + 1][lane_count];
 };
 
+/// See `CornerAttributes`: those of as many polygons as there are lanes.
+template <int N>
+struct alignas(64) PreparedCorners {
+    std::int32_t value[CornerAttributes::most_corners][N + 1][lane_count];
+
+    CornerAttributes operator[](int lane) const {
+        return {&value[0][0][lane], lane_count, lane_count * (N + 1)};
+    }
+};
+
 /// Sets up the attributes of whole triangles, a lane a triangle.
 class AttributePreparer {
 public:
@@ -47,7 +58,45 @@ public:
         }
     }
 
+    /// Those of the polygons' corners, see `CornerAttributes`; a lane a polygon. One with fewer
+    /// corners repeats its last.
+    template <int N>
+    void prepare(const PolygonStreams& streams, Ints face, Mask back,
+                 PreparedCorners<N>& out) const {
+        constexpr int corners = CornerAttributes::most_corners;
+        const auto* begins = reinterpret_cast<const std::int32_t*>(streams.face_begin.data());
+        const auto* vertices = reinterpret_cast<const std::int32_t*>(streams.corners.data());
+        const Ints begin = gather(begins, face);
+        const Ints last = gather(begins, face + Ints(1)) - Ints(1);
+        Ints vertex[corners];
+        for (int c = 0; c < corners; ++c)
+            vertex[c] = gather(vertices, min(begin + Ints(c), last));
+        Floats scale[corners];
+        find_scales(vertex, scale);
+        for (int k = 0; k < N; ++k) {
+            for (int c = 0; c < corners; ++c) {
+                store(corner(attributes_.streams[static_cast<std::size_t>(k)], vertex[c], back,
+                             scale[c]),
+                      out.value[c][k]);
+            }
+        }
+    }
+
 private:
+    /// w of the nearest corner by that of each, see `project_correct`.
+    template <std::size_t count>
+    void find_scales(const Ints (&vertex)[count], Floats (&scale)[count]) const {
+        std::ranges::fill(scale, Floats(1));
+        if (!attributes_.perspective_correct) return;
+        for (std::size_t c = 0; c < count; ++c)
+            scale[c] = gather(attributes_.w.data(), vertex[c]);
+        Floats least = scale[0];
+        for (std::size_t c = 1; c < count; ++c)
+            least = smaller(least, scale[c]);
+        for (Floats& s : scale)
+            s = least / s;
+    }
+
     struct Scales {
         Floats a, b, c;
     };

@@ -43,6 +43,8 @@ private:
         store(keep_.own(lanes), own_);
         if (triangles != 0) prepare(lanes);
         std::uint32_t left = bits_of(first_lanes(static_cast<int>(items.size())));
+        knows_corners_ = Keep::attributes > 0 && std::popcount(left & ~triangles) >= least_walked;
+        if (knows_corners_) prepare_corners(lanes);
         for (left &= ~(prepared_.unseen & triangles); left != 0; left &= left - 1) {
             const int lane = std::countr_zero(left);
             draw_lane(lane, items[static_cast<std::size_t>(lane)]);
@@ -79,6 +81,11 @@ private:
         preparer_.prepare(setup.planes, v, item < Ints(0), setup.column, setup.row, attributes_);
     }
 
+    void prepare_corners(Ints item) {
+        preparer_.prepare(streams_, item & Ints(static_cast<std::int32_t>(face_mask)),
+                          item < Ints(0), corners_);
+    }
+
     /// A bit a lane: which are not to be walked.
     static std::uint32_t triangles_among(std::span<const FaceItem> items) {
         std::uint32_t bits = 0;
@@ -96,7 +103,8 @@ private:
     void draw_walked(int lane, FaceItem item) {
         const PixelCounts before = band_.counts();
         walked_ = own_[lane];
-        walker_.draw(item, *this);
+        const CornerAttributes corners = corners_[lane];
+        walker_.draw(item, knows_corners_ ? &corners : nullptr, *this);
         look_behind(band_, band_.counts() - before);
     }
 
@@ -152,6 +160,8 @@ private:
 
     /// Spans of no more pixels are not worth a vector's set-up.
     static constexpr int short_span = 4;
+    /// For fewer polygons a vector's worth of corners is not worth its while.
+    static constexpr int least_walked = 4;
 
     const PolygonStreams& streams_;
     AttributePreparer preparer_;
@@ -161,6 +171,8 @@ private:
     WaitingPixels<Keep> waiting_;
     PreparedTriangles prepared_;
     PreparedAttributes<Keep::attributes> attributes_;
+    PreparedCorners<Keep::attributes> corners_;  // if it is known
+    bool knows_corners_ = false;
     std::int32_t own_[lane_count];
     std::int32_t walked_ = 0;  // the own number of the polygon that is being walked
 };

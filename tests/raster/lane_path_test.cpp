@@ -81,7 +81,7 @@ struct OneSpan : Walker {
     Ramp depth;
 
     OneSpan(int begin, int end, const Ramp& ramp) : x_begin(begin), x_end(end), depth(ramp) {}
-    void draw(FaceItem, SpanPainter& spans) override {
+    void draw(FaceItem, const CornerAttributes*, SpanPainter& spans) override {
         spans.draw_span(0, x_begin, x_end, depth, nullptr);
     }
 };
@@ -185,7 +185,7 @@ struct FillWalker : Walker {
             corners.push_back(streams.corner(v));
         filler.fill(corners, Interpolation::planar, emit, NoObserver{}, rows);
     }
-    void draw(FaceItem item, SpanPainter& spans) override {
+    void draw(FaceItem item, const CornerAttributes*, SpanPainter& spans) override {
         fill(item, [&](const Span<0>& span) {
             spans.draw_span(span.y, span.x_begin, span.x_end, span.ramps.depth, nullptr);
         });
