@@ -1,5 +1,8 @@
 #include "render/frame.h"
 
+#include <cmath>
+
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 namespace scanlight::render {
@@ -14,6 +17,30 @@ glm::dmat4 ndc_from_screen(raster::Viewport viewport) {
     m[1][1] = -2.0 / viewport.height;
     m[3] = glm::dvec4(-1.0, 1.0, 0.0, 1.0);
     return m;
+}
+
+SightLines parallel_lines(const glm::dmat3& world_from_eye) {
+    return {glm::vec3(world_from_eye[2]), glm::vec3(0.0f), glm::vec3(0.0f)};
+}
+
+/// Through the eye: 1 long along the view and longer beside it; then all by one factor, lest the
+/// square of the longest overflow.
+SightLines lines_through_eye(const glm::dmat3& world_from_eye, double magnification,
+                             raster::Viewport viewport) {
+    const double half_height = 1.0 / magnification;
+    const double pixel = 2.0 * half_height / viewport.height;
+    const glm::dvec3 corner =
+        world_from_eye * glm::dvec3(0.5 * pixel * viewport.width, -half_height, 1.0);
+    const double scale = 1.0 / std::sqrt(glm::length(corner));
+    return {glm::vec3(corner * scale), glm::vec3(world_from_eye[0] * (-pixel * scale)),
+            glm::vec3(world_from_eye[1] * (pixel * scale))};
+}
+
+SightLines sight_lines(const Camera& camera, Distances distances, raster::Viewport viewport) {
+    const auto world_from_eye = glm::transpose(glm::dmat3(eye_from_world(camera)));
+    return distances == Distances::infinite || camera.projection == Projection::orthographic
+               ? parallel_lines(world_from_eye)
+               : lines_through_eye(world_from_eye, camera.magnification, viewport);
 }
 
 Light at_infinity(const Light& light, const glm::vec3& target) {
@@ -38,6 +65,7 @@ Frame frame_of(const Scene& scene, Distances distances, raster::Viewport viewpor
                 clip_from_world,
                 glm::mat4(glm::inverse(clip_from_world) * ndc_from_screen(viewport)),
                 glm::vec4(viewpoint(camera)),
+                sight_lines(camera, distances, viewport),
                 scene.lighting,
                 scene.mirrored.get(),
                 scene.diffuse.get(),

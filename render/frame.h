@@ -16,6 +16,7 @@ struct Frame {
     glm::dmat4 clip_from_world;
     glm::mat4 world_from_screen;  // (x, y in pixels, depth 0 to 1, 1), then divide by w
     glm::vec4 viewpoint;          // world, homogeneous: the eye, or the direction to it
+    SightLines sight_lines;       // world
     shading::Lighting<float> lighting;
     const shading::Environment* mirrored;  // see `Scene`
     const shading::Environment* diffuse;
@@ -30,6 +31,11 @@ struct Frame {
     /// V: unit, from a point in world space towards the eye.
     glm::vec3 view_from(const glm::vec3& point) const {
         return render::view_from(viewpoint, point);
+    }
+
+    /// V of what a pixel's centre shows, from the line of sight.
+    glm::vec3 view_at(int x, int y) const {
+        return view_along(sight_lines, static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
     }
 
     /// The point of the surface that a pixel's centre shows, in world space, from its depth. Depth

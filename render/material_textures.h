@@ -11,7 +11,7 @@
 namespace scanlight::render {
 
 /// What all textures of a mesh together may take, with their pyramids.
-inline constexpr std::size_t most_texture_bytes = std::size_t{1} << 30;
+inline constexpr std::size_t most_texture_bytes = std::size_t{1} << 31;
 
 /// The textures of a mesh's materials, and for a person what of them is not drawn, and why.
 struct MaterialTextures {

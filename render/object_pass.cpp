@@ -85,7 +85,7 @@ bool has_large_faces(const ObjectPass& pass) {
 
 std::size_t ObjectPass::bytes() const {
     std::size_t sum = vertices.bytes() + front.bytes() + back.bytes();
-    sum += raster::bytes_held(vertex_material, face_uvs, bins);
+    sum += raster::bytes_held(vertex_material, face_uvs, is_magnified, bins);
     for (const raster::Bin& bin : bins)
         sum += bin.bytes();
     for (const ShadowSides& shadow : sides)
@@ -107,19 +107,25 @@ void ObjectPass::begin(const Object& begun, std::size_t first_face, const Frame&
                     settings.shading != Shading::flat);
     polygons = polygons_of(*this);
     begin_textures();
+    needs_point = needs.point || has_lamp(frame->lighting);
 }
 
 void ObjectPass::begin_textures() {
     textured = {mesh().vertices.has_colors(), false};
     textures.clear();
     face_uvs.clear();
+    is_magnified.clear();
+    needs = {};
     if (settings.shading != Shading::phong || !is_textured(*object, *frame)) return;
     textured = textured_attributes(*object);
     textures = placed_textures(*object);
     face_matrices = render::face_matrices(*object, *frame);
     needs = site_needs(*object);
     const bool asks_faces = textured.has_uvs && (needs.uv_steps || needs.gradients);
-    if (asks_faces && has_large_faces(*this)) face_uvs.resize(mesh().face_count());
+    if (asks_faces && has_large_faces(*this)) {
+        face_uvs.resize(mesh().face_count());
+        is_magnified.resize(needs.uv_steps ? mesh().face_count() : 0);
+    }
     uv_unit = textured.has_uvs ? uv_unit_of(mesh().vertices) : 1.0f;
 }
 

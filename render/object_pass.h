@@ -55,8 +55,11 @@ struct ObjectPass {
     std::vector<PlacedTextures> textures;       // of each material; empty if there are none
     float uv_unit = 1.0f;                       // by which (u, v) are divided
     shading::SiteNeeds needs;
+    bool needs_point = true;  // in world space, where a pixel is lit
     FaceMatrices face_matrices;
-    std::vector<FaceUvs<float>> face_uvs;  // of each face, where that pays; else empty
+    // Of each face, where that pays, else empty:
+    std::vector<FaceUvs<float>> face_uvs;
+    std::vector<std::int32_t> is_magnified;  // 1 where texels are sure to cover pixels, else 0
     raster::PolygonStreams polygons;
     raster::Attributes attributes;
     std::vector<raster::Bin> bins;                          // by stretches of faces

@@ -46,7 +46,8 @@ public:
         const auto& a = fragment.attributes;
         const glm::vec3 point = frame_.point_at(fragment.x, fragment.y, fragment.depth);
         const glm::vec3 normal = shading::unit_or(glm::vec3(a[0], a[1], a[2]), polygon.normal);
-        const shading::Surface<float> surface{point, normal, frame_.view_from(point)};
+        const shading::Surface<float> surface{point, normal,
+                                              frame_.view_at(fragment.x, fragment.y)};
         const auto& material = painted_by<paint>(
             polygon.material, [&a] { return undivided(glm::vec3(a[3], a[4], a[5]), a[6]); });
         return raster::Rgba(illuminate(model_, surface, material, frame_.lighting),

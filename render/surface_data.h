@@ -114,8 +114,7 @@ public:
     }
     raster::Rgba shade(const raster::Fragment<3>& fragment, const Polygon& polygon) const {
         const glm::vec3 N = normals_.shade(fragment, polygon.normal);
-        const glm::vec3 V =
-            frame_.view_from(frame_.point_at(fragment.x, fragment.y, fragment.depth));
+        const glm::vec3 V = frame_.view_at(fragment.x, fragment.y);
         const float cosine = shading::positive_part(shading::dot(N, V));
         return raster::Rgba(shading::reflectance_at(cosine, polygon.reflectance), 1.0f);
     }

@@ -37,13 +37,13 @@ void TextureLoader::read(const std::string& path) {
     }
 }
 
-/// A texel takes 8 bytes, and its pyramid a third of that.
+/// A texel takes no more than 16 bytes, and its pyramid a third of that.
 bool TextureLoader::has_room() const {
     const auto texels_of = [](const auto& picture) {
         return static_cast<std::size_t>(picture.width()) *
                static_cast<std::size_t>(picture.height());
     };
-    return bytes_ + std::visit(texels_of, *picture_) * 32 / 3 <= most_bytes_;
+    return bytes_ + std::visit(texels_of, *picture_) * 64 / 3 <= most_bytes_;
 }
 
 }  // namespace scanlight::render

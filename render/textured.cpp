@@ -53,8 +53,10 @@ shading::SiteNeeds site_needs(const Object& object) {
     shading::SiteNeeds all;
     for (const auto& textures : object.textures) {
         const shading::SiteNeeds needs = textures.needs();
+        all.point |= needs.point;
         all.gradients |= needs.gradients;
         all.uv_steps |= needs.uv_steps;
+        all.texels = glm::max(all.texels, needs.texels);
         all.steps |= needs.steps;
     }
     return all;

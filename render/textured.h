@@ -172,6 +172,76 @@ shading::PixelSteps<glm::vec<2, Real>> uv_steps_at(
     return {moved(steps.right), moved(steps.down)};
 }
 
+/// What becomes of (u, v) on the way to a pixel: what is more than `most` is cut off, and the rest
+/// is off by up to `error`, divided by q.
+struct UvPrecision {
+    float most, error;
+};
+
+/// By the roundings of floats, and by those of gradients, up to 17/32 of 2^-29 in u, v and q for
+/// each pixel on the way: see `raster::attribute_plane`.
+inline UvPrecision uv_precision(float uv_unit, raster::Viewport size) {
+    const auto way = static_cast<float>(size.width + size.height);
+    return {uv_unit * raster::attribute_limit, uv_unit * (0x1p-20f + way * 0x1p-27f)};
+}
+
+/// Tells faces on which texels cover pixels everywhere, so that nobody has to ask how large a pixel
+/// is there: from (u, v) and w at their corners. In `uv_steps_at` all but the division is linear in
+/// (u, v), and largest at a corner; so is w. Both paths must look up the same texels: faces on
+/// which pixels are nearly as large do not count, nor do those where the roundings of (u, v) and of
+/// depth might make them so.
+template <class Real>
+class MagnifiedFaces {
+public:
+    using Mask = decltype(Real(0) < Real(0));
+
+    /// `texels`: the most of any texture.
+    MagnifiedFaces(const shading::PixelSteps<shading::Vec3<Real>>& steps, const glm::vec2& texels,
+                   const UvPrecision& precision)
+        : steps_(steps), texels_(texels), precision_(precision) {}
+
+    /// A corner of those faces that have it.
+    void add(Mask has, const glm::vec<2, Real>& uv, Real w) {
+        using shading::magnitude;
+        using shading::select;
+        const Real squared = shading::larger_square(uv_steps_at(steps_, uv, Real(1)), texels_);
+        squared_ = select(has & (squared > squared_), squared, squared_);
+        farthest_ = select(has & (w > farthest_), w, farthest_);
+        nearest_ = select(has & (w < nearest_), w, nearest_);
+        const Real most(precision_.most);
+        const auto is_known = (magnitude(uv.x) <= most) & (magnitude(uv.y) <= most) & (w > Real(0));
+        is_known_ = is_known_ & (is_known | !has);
+    }
+
+    /// `near`: the least w that is seen. Depth tells w to 1/100 as far as 2^17 times that.
+    Mask are_sure(float near) const {
+        const Real size = squared_ * (farthest_ * farthest_);
+        return is_known_ & (farthest_ < Real(near * 0x1p17f)) & (noise() < Real(0x1p-4f)) &
+               (size < Real(0.8f));
+    }
+
+private:
+    /// How many texels a pixel seems to grow by the errors of (u, v), multiplied by how w changes.
+    /// q is w of the nearest corner by w.
+    Real noise() const {
+        using shading::magnitude;
+        using shading::select;
+        const Real right = magnitude(steps_.right.z);
+        const Real down = magnitude(steps_.down.z);
+        const Real change = select(right > down, right, down) * farthest_;
+        const float texels = texels_.x > texels_.y ? texels_.x : texels_.y;
+        return Real(precision_.error * texels) * (farthest_ / nearest_) * change;
+    }
+
+    shading::PixelSteps<shading::Vec3<Real>> steps_;
+    glm::vec2 texels_;
+    UvPrecision precision_;
+    Real squared_{0};
+    Real farthest_{0};
+    Real nearest_{0x1p60f};
+    Mask is_known_ = Real(0) < Real(1);
+};
+
 /// A surface that is to be lit, with what its textures need. `outward` is -1 where its back is
 /// seen, and 1 elsewhere; the vertices' `color`, if they have one, multiplies the body's own.
 template <class Real>
@@ -336,6 +406,14 @@ Real eta_seen(const shading::Material<float>& material, Real outward) {
     const auto eta = static_cast<float>(material.transmission.eta);
     using shading::select;
     return select(outward < Real(0), Real(1.0f / eta), Real(eta));
+}
+
+/// Whether textures say nothing of a surface but its normal and its body's colour, and nothing
+/// around it lights it or is seen in it.
+inline bool are_all_in_look(const PlacedTextures& textures, const Frame& frame) {
+    const bool others =
+        textures.ambient || textures.specular || textures.emission || textures.exponent;
+    return !others && !textures.mirrored && frame.mirrored == nullptr && frame.diffuse == nullptr;
 }
 
 /// `illuminate`, of a textured surface that has this look, in the frame's light.

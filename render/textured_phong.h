@@ -76,7 +76,7 @@ public:
         const glm::vec3 normal = shading::unit_or(glm::vec3(a[0], a[1], a[2]), polygon.normal);
         const float inverse_w = 1.0f / point_component(frame_.world_from_screen, 3, screen);
         const glm::vec2 uv = own_uv(a);
-        return {{point, normal, frame_.view_from(point)},
+        return {{point, normal, frame_.view_at(fragment.x, fragment.y)},
                 {point, uv, uv_steps_at(polygon.uvs.steps, uv, inverse_w), polygon.uvs.gradients,
                  steps_at(polygon.steps, point, inverse_w)},
                 color(a),

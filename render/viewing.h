@@ -20,6 +20,23 @@ shading::Vec3<Real> view_from(const glm::vec4& viewpoint, const shading::Vec3<Re
     return shading::unit_or(towards_eye, shading::Vec3<Real>(Real(0), Real(0), Real(1)));
 }
 
+/// The lines along which pixels are seen: from the place (x, y) of the screen, in pixels, towards
+/// the eye along origin + x right + y down, world space; from 2^-60 to 2^60 long, for any camera
+/// whose picture is less than 2^119 times as wide as it is far away. All that may show there lies
+/// on the line, so that no depth is asked for.
+struct SightLines {
+    glm::vec3 origin, right, down;
+};
+
+/// V: unit, towards the eye from what shows at a place of the screen.
+template <class Real>
+shading::Vec3<Real> view_along(const SightLines& lines, Real x, Real y) {
+    const auto part = [&](int i) {
+        return (Real(lines.origin[i]) + Real(lines.down[i]) * y) + Real(lines.right[i]) * x;
+    };
+    return shading::unit(shading::Vec3<Real>(part(0), part(1), part(2)));
+}
+
 /// The point in world space behind a place on the screen: x and y in pixels, depth 0 to 1. One
 /// division: other bits than three.
 template <class Real>

@@ -15,31 +15,45 @@ struct Microfacets {
     double share = 0;  // K_s, 0 to 1: of the light that meets facets; the body has K_d = 1 - K_s
 };
 
-/// How light falls on the facets that mirror it to the viewer, and how these lean: cosines.
+/// How light falls on the facets that mirror it to the viewer, and how these lean. With
+/// S = L + V, their normal is H = S/|S|: N.H = N.S/|S|, and V.H = |S|/2.
 template <class Real>
 struct FacetAngles {
-    Real NL, NV, NH, VH;  // N.V no less than 1e-4; V.H is 1 where they are not seen lit
+    Real NL, NV;      // cosines; N.V no less than 1e-4
+    Real NS, length;  // N.S and |S|; 1 and 2 where the facets are not seen lit
     decltype((Real(0) > Real(0)) & (Real(0) > Real(0))) are_seen_lit;
+
+    Real NH() const noexcept { return NS / length; }
+    Real VH() const noexcept { return Real(0.5) * length; }
 };
 
 template <class Real>
 FacetAngles<Real> facet_angles(const Vec3<Real>& N, const Vec3<Real>& L,
                                const Vec3<Real>& V) noexcept {
-    const Vec3<Real> H = half_vector(L, V);
+    const Vec3<Real> S = L + V;
     const Real NL = dot(N, L);
     const Real NV = dot(N, V);
-    const Real VH = dot(V, H);
-    const auto are_seen_lit = (NL > Real(0)) & (NV > Real(0)) & (VH > Real(0));
-    return {NL, select(NV > Real(1e-4), NV, Real(1e-4)), dot(N, H),
-            select(are_seen_lit, VH, Real(1)), are_seen_lit};
+    const Real squared = dot(S, S);
+    const auto are_seen_lit = (NL > Real(0)) & (NV > Real(0)) & (squared >= Real(0x1p-120f));
+    return {NL, select(NV > Real(1e-4), NV, Real(1e-4)), select(are_seen_lit, NL + NV, Real(1)),
+            square_root(select(are_seen_lit, squared, Real(4))), are_seen_lit};
+}
+
+/// D G/(N.V).
+template <class Real>
+Real facets_turned(const FacetAngles<Real>& a, const FacetSlopes& slopes) noexcept {
+    if (slopes.distribution() == FacetDistribution::beckmann) {
+        return Real(slopes.constant()) *
+               beckmann_facets_turned(a.NL, a.NV, a.NS, a.length, Real(slopes.m()));
+    }
+    const Real NH = a.NH();
+    return facet_density(NH, slopes) * facets_open_by_view(NH, a.NL, a.NV, a.VH());
 }
 
 /// (N.L) D G / (4 (N.L)(N.V)): the share of light that facets turn to the viewer.
 template <class Real>
 Real facets_share(const FacetAngles<Real>& a, const FacetSlopes& slopes) noexcept {
-    const Real D = facet_density(a.NH, slopes);
-    const Real G_by_NV = facets_open_by_view(a.NH, a.NL, a.NV, a.VH);
-    const Real share = Real(slopes.reflection_constant()) * D * G_by_NV;
+    const Real share = Real(slopes.reflection_constant()) * facets_turned(a, slopes);
     return select(a.are_seen_lit, share, Real(0));
 }
 
@@ -55,7 +69,7 @@ Rgb<Real> cook_torrance(const Vec3<Real>& N, const Vec3<Real>& L, const Vec3<Rea
                         const FacetSlopes& slopes, const Reflectance& material) noexcept {
     const FacetAngles<Real> angles = facet_angles(N, L, V);
     if (none(angles.are_seen_lit)) return Rgb<Real>(Real(0));
-    return reflectance_at(angles.VH, material) * facets_share(angles, slopes);
+    return reflectance_at(angles.VH(), material) * facets_share(angles, slopes);
 }
 
 }  // namespace scanlight::shading

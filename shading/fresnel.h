@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "shading/vector.h"
 
 namespace scanlight::shading {
@@ -32,32 +34,54 @@ struct FresnelShare {
     Real mirrored, of;
 };
 
-/// Of a metal in air, whose index is n + ik in this channel. With s^2 = 1 - c^2,
-/// a = n^2 - k^2 - s^2, q = sqrt(a^2 + 4 n^2 k^2) and p = sqrt((q + a)/2):
+/// What Fresnel's equations want to know of a metal in air, whose index is n + ik in this channel:
+///     a_0 = n^2 - k^2 - 1, b = (2 n k)^2
+template <class Number>
+struct MetalIndex {
+    Number a_0, b;
+};
+
+/// n and k no more than 1000.
+template <class Number>
+MetalIndex<Number> metal_index(Number n, Number k) noexcept {
+    const Number nk2 = Number(2) * (n * k);
+    return {(n - Number(1)) * (n + Number(1)) - k * k, nk2 * nk2};
+}
+
+/// Of such a metal. With s^2 = 1 - c^2, a = n^2 - k^2 - s^2, q = sqrt(a^2 + 4 n^2 k^2) and
+/// p = sqrt((q + a)/2):
 ///     rho_perpendicular = (q + c^2 - 2 p c)/(q + c^2 + 2 p c)
 ///     rho_parallel = rho_perpendicular (c^2 q + s^4 - 2 p c s^2)/(c^2 q + s^4 + 2 p c s^2)
 /// Born & Wolf, "Principles of Optics", 14.2; their mean over one denominator. For k = 0 it is the
 /// dielectric's.
-template <class Real>
-FresnelShare<Real> metal_share(Real c, Real n, Real k) noexcept {
+template <class Real, class Number>
+FresnelShare<Real> metal_share(Real c, const MetalIndex<Number>& index) noexcept {
     const Real c2 = c * c;
     const Real s2 = positive_part(Real(1) - c2);
-    const Real a = ((n - Real(1)) * (n + Real(1)) - k * k) + c2;
-    const Real nk2 = Real(2) * (n * k);
-    const Real q = square_root(a * a + nk2 * nk2);
+    const Real a = Real(index.a_0) + c2;
+    const Real q = square_root(a * a + Real(index.b));
     const Real p = square_root(positive_part(q + a) * Real(0.5));
     const Real pc2 = Real(2) * (p * c);
     const Real whole = c2 * q + s2 * s2;
     return {positive_part(((q + c2) - pc2) * whole), ((q + c2) + pc2) * (whole + pc2 * s2)};
 }
 
-/// In each channel, with one division for all. n and k are no more than 1000; where c is so small
-/// that the product of the three runs out of numbers, all is mirrored.
-template <class Real>
-Rgb<Real> fresnel_metal(Real c, const Rgb<Real>& n, const Rgb<Real>& k) noexcept {
-    const FresnelShare<Real> red = metal_share(c, n.x, k.x);
-    const FresnelShare<Real> green = metal_share(c, n.y, k.y);
-    const FresnelShare<Real> blue = metal_share(c, n.z, k.z);
+/// Of red, green and blue.
+template <class Number>
+using MetalIndices = std::array<MetalIndex<Number>, 3>;
+
+template <class Number>
+MetalIndices<Number> metal_indices(const Rgb<Number>& n, const Rgb<Number>& k) noexcept {
+    return {metal_index(n.x, k.x), metal_index(n.y, k.y), metal_index(n.z, k.z)};
+}
+
+/// In each channel, with one division for all. Where c is so small that the product of the three
+/// runs out of numbers, all is mirrored.
+template <class Real, class Number>
+Rgb<Real> fresnel_metal(Real c, const MetalIndices<Number>& indices) noexcept {
+    const FresnelShare<Real> red = metal_share(c, indices[0]);
+    const FresnelShare<Real> green = metal_share(c, indices[1]);
+    const FresnelShare<Real> blue = metal_share(c, indices[2]);
     const Real of_green_blue = green.of * blue.of;
     const Real of_all = red.of * of_green_blue;
     const auto divides = of_all > Real(0x1p-100f);

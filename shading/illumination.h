@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -45,6 +46,27 @@ struct Phong {
         const Rgb<Real> K_d(material.diffuse);
         const Rgb<Real> K_s(material.specular);
         return light.intensity * (K_d * lambert(N, L) + K_s * phong(N, L, V, material.exponent));
+    }
+
+    static constexpr bool works_on_few = true;
+
+    /// See `illuminate_few`.
+    template <class SomePlaces, class LightAt, class Take>
+    void at_few(const SomePlaces& places, const LightAt& light_at, Take&& take) const noexcept {
+        const auto angles = few_of(places.count, [&](int i) {
+            const auto& [point, N, V] = places.surface_at(i);
+            return phong_angles(N, light_at(i).direction, V);
+        });
+        const auto highlights = few_of(angles.count(), [&](int i) {
+            return phong(angles[i], places.material_at(i).exponent);
+        });
+        for (int i = 0; i < places.count; ++i) {
+            const auto& material = places.material_at(i);
+            const Rgb<typename SomePlaces::Real> K_d(material.diffuse);
+            const Rgb<typename SomePlaces::Real> K_s(material.specular);
+            take(i,
+                 light_at(i).intensity * (K_d * positive_part(angles[i].LN) + K_s * highlights[i]));
+        }
     }
 };
 
@@ -110,19 +132,21 @@ struct CookTorrance {
 
     static constexpr bool works_on_few = true;
 
-    /// Calls `take(i, term)` for each of a few surfaces, with the light that falls on each.
-    template <class Real, class Number, class Power, class Take>
-    void at_few(const Few<const Surface<Real>*>& surfaces, const Material<Number, Power>& material,
-                const Few<Incident<Real>>& lights, Take&& take) const noexcept {
-        const Microfacets& facets = material.facets;
-        const auto angles = few_of(surfaces.count(), [&](int i) {
-            return facet_angles(surfaces[i]->normal, lights[i].direction, surfaces[i]->view);
+    /// See `illuminate_few`.
+    template <class SomePlaces, class LightAt, class Take>
+    void at_few(const SomePlaces& places, const LightAt& light_at, Take&& take) const noexcept {
+        const auto angles = few_of(places.count, [&](int i) {
+            const auto& [point, N, V] = places.surface_at(i);
+            return facet_angles(N, light_at(i).direction, V);
         });
-        const auto shares =
-            few_of(angles.count(), [&](int i) { return facets_share(angles[i], facets.slopes); });
-        for (int i = 0; i < surfaces.count(); ++i) {
-            const Rgb<Real> mirrored = reflectance_at(angles[i].VH, facets.reflectance) * shares[i];
-            take(i, together(*surfaces[i], material, lights[i], mirrored));
+        const auto shares = few_of(angles.count(), [&](int i) {
+            return facets_share(angles[i], places.material_at(i).facets.slopes);
+        });
+        for (int i = 0; i < places.count; ++i) {
+            const auto& material = places.material_at(i);
+            const Rgb<typename SomePlaces::Real> mirrored =
+                reflectance_at(angles[i].VH(), material.facets.reflectance) * shares[i];
+            take(i, together(places.surface_at(i), material, light_at(i), mirrored));
         }
     }
 
@@ -143,6 +167,15 @@ struct Lighting {
     Rgb<Number> ambient{Number(0)};  // I_a
     std::vector<Light<Number>> lights;
 };
+
+/// Whether any light depends on where it falls.
+template <class Number>
+bool has_lamp(const Lighting<Number>& lighting) noexcept {
+    const auto is_lamp = [](const Light<Number>& light) {
+        return light.kind == Light<Number>::Kind::point;
+    };
+    return std::ranges::any_of(lighting.lights, is_lamp);
+}
 
 /// What a surface sends without any light source: its own light, and the ambient term.
 template <class Real, class Number, class Power, class LightNumber>
@@ -183,24 +216,49 @@ concept WorksOnFew = requires {
     requires Model::works_on_few;
 };
 
-/// `illuminate`, of a few surfaces of one material. Calls `take(i, color)` for each; `arriving(i,
-/// light, term)`.
-template <WorksOnFew Model, class Real, class Number, class Power, class LightNumber,
-          class Arriving, class Take>
-void illuminate_few(const Model& model, const Few<const Surface<Real>*>& surfaces,
-                    const Material<Number, Power>& material, const Lighting<LightNumber>& lighting,
-                    const Arriving& arriving, Take&& take) noexcept {
+/// A few surfaces that are to be lit: `surface_at(i)` and `material_at(i)`, as often as they are
+/// asked for.
+template <class Number, class SurfaceAt, class MaterialAt>
+struct Places {
+    using Real = Number;
+
+    int count;
+    SurfaceAt surface_at;
+    MaterialAt material_at;
+};
+
+template <class Real, class SurfaceAt, class MaterialAt>
+Places<Real, SurfaceAt, MaterialAt> places_of(int count, const SurfaceAt& surface_at,
+                                              const MaterialAt& material_at) noexcept {
+    return {count, surface_at, material_at};
+}
+
+/// `illuminate`, of a few surfaces, each step of the way for all of them. Calls `take(i, color)`
+/// for each; `arriving(i, light, term)`.
+template <WorksOnFew Model, class SomePlaces, class LightNumber, class Arriving, class Take>
+void illuminate_few(const Model& model, const SomePlaces& places,
+                    const Lighting<LightNumber>& lighting, const Arriving& arriving,
+                    Take&& take) noexcept {
+    using Real = typename SomePlaces::Real;
     auto intensities =
-        few_of(surfaces.count(), [&](int) { return unlit<Real>(material, lighting); });
+        few_of(places.count, [&](int i) { return unlit<Real>(places.material_at(i), lighting); });
     for (std::size_t k = 0; k < lighting.lights.size(); ++k) {
-        const auto incidents = few_of(surfaces.count(), [&](int i) {
-            return incident_at(lighting.lights[k], surfaces[i]->point);
-        });
-        model.at_few(surfaces, material, incidents, [&](int i, const Rgb<Real>& term) {
+        const Light<LightNumber>& light = lighting.lights[k];
+        const auto add = [&](int i, const Rgb<Real>& term) {
             intensities[i] = intensities[i] + arriving(i, k, term);
-        });
+        };
+        if (light.kind == Light<LightNumber>::Kind::directional) {
+            const auto incident = [&](int) { return incident_from_infinity<Real>(light); };
+            model.at_few(places, incident, add);
+        } else {
+            const auto incidents = few_of(places.count, [&](int i) {
+                return incident_from_lamp(light, places.surface_at(i).point);
+            });
+            model.at_few(
+                places, [&](int i) -> const auto& { return incidents[i]; }, add);
+        }
     }
-    for (int i = 0; i < surfaces.count(); ++i)
+    for (int i = 0; i < places.count; ++i)
         take(i, intensities[i]);
 }
 

@@ -87,4 +87,24 @@ Real facets_open_by_view(Real NH, Real NL, Real NV, Real VH) noexcept {
     return select(groove < VH, groove, VH) / (VH * NV);
 }
 
+/// Beckmann's D times G/(N.V), with one division for all: where S = L + V, so that N.H = N.S/|S|
+/// and V.H = |S|/2,
+///     e^-((|S|^2 - (N.S)^2)/(m N.S)^2) |S|^2 min(|S|^2, 4 (N.S) min(N.V, N.L)) / (m^2 (N.S)^4 N.V)
+/// 0 where N.S is so small that the divisor runs out of numbers.
+template <class Real>
+Real beckmann_facets_turned(Real NL, Real NV, Real NS, Real length, Real m) noexcept {
+    const Real NS2 = NS * NS;
+    const Real S2 = length * length;
+    const Real others = NS2 * NV;
+    const Real divisor = (m * m * NS2) * others;
+    const auto divides = divisor > Real(0x1p-100f);
+    const Real inverse = Real(1) / select(divides, divisor, Real(1));
+    const Real sin2 = positive_part(length - NS) * (length + NS);
+    const Real bell = exp_of_minus(sin2 * (others * inverse));
+    const Real least = select(NL < NV, NL, NV);
+    const Real groove = Real(4) * (NS * least);
+    const Real open = select(groove < S2, groove, S2);
+    return select(divides, bell * ((S2 * open) * inverse), Real(0));
+}
+
 }  // namespace scanlight::shading

@@ -19,13 +19,17 @@ double index_of(double rho_0) {
 }  // namespace
 
 Reflectance dielectric(double n) noexcept {
-    return {Reflectance::Kind::dielectric, Rgb<double>(n), Rgb<double>(0),
-            Rgb<double>(fresnel(1.0, n))};
+    return {Reflectance::Kind::dielectric,
+            Rgb<double>(n),
+            Rgb<double>(0),
+            Rgb<double>(fresnel(1.0, n)),
+            {}};
 }
 
 Reflectance metal(const Rgb<double>& n, const Rgb<double>& k) noexcept {
     const Rgb<double> most(1000.0);
-    Reflectance result{Reflectance::Kind::metal, glm::min(n, most), glm::min(k, most), {}};
+    Reflectance result{Reflectance::Kind::metal, glm::min(n, most), glm::min(k, most), {}, {}};
+    result.indices = metal_indices(result.n, result.k);
     result.C_0 = reflectance_at(1.0, result);
     return result;
 }
@@ -37,7 +41,7 @@ Reflectance metal_of_color(const Rgb<double>& C_0) noexcept {
 Reflectance shifted(const Reflectance& material) noexcept {
     const Rgb<double>& C_0 = material.C_0;
     const double mean = ((C_0.x + C_0.y) + C_0.z) / 3;
-    return {Reflectance::Kind::shifted, Rgb<double>(index_of(mean)), Rgb<double>(0), C_0};
+    return {Reflectance::Kind::shifted, Rgb<double>(index_of(mean)), Rgb<double>(0), C_0, {}};
 }
 
 }  // namespace scanlight::shading

@@ -12,7 +12,8 @@ struct Reflectance {
     Kind kind = Kind::dielectric;
     Rgb<double> n{1.5};  // the index is n + ik; a dielectric's is the same in all channels
     Rgb<double> k{0};
-    Rgb<double> C_0{0.04};  // at 0 degrees
+    Rgb<double> C_0{0.04};           // at 0 degrees
+    MetalIndices<double> indices{};  // of a metal: `metal_indices(n, k)`
 };
 
 /// Of a dielectric of index `n` > 0: nearly grey, so that highlights have the light's colour.
@@ -32,10 +33,10 @@ Reflectance shifted(const Reflectance& material) noexcept;
 /// rho, at an angle of cosine `c`. Of which kind the material is all its pixels have in common.
 template <class Real>
 Rgb<Real> reflectance_at(Real c, const Reflectance& material) noexcept {
-    const auto& [kind, n, k, C_0] = material;
+    const auto& [kind, n, k, C_0, indices] = material;
     switch (kind) {
         case Reflectance::Kind::metal:
-            return fresnel_metal(c, Rgb<Real>(n), Rgb<Real>(k));
+            return fresnel_metal(c, indices);
         case Reflectance::Kind::shifted:
             return fresnel_color(c, Rgb<Real>(C_0), Real(n.x));
         case Reflectance::Kind::dielectric:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 
 #include "shading/angle.h"
@@ -58,13 +59,40 @@ Neighbours<Real> neighbours(Real u, Whole<Real> size, Wrap wrap) noexcept {
     return {W::truncated(whole), x - whole};
 }
 
-// What is wanted of texels, out of an image's words. Nothing else of them is fetched.
+/// For a pair of neighbours: how much of each makes their mean, 16-bit integers that add up to
+/// 16384.
+inline constexpr std::int32_t whole_weight = 1 << 14;
+
+template <class Real>
+Whole<Real> pair_weights(Real share_of_second) noexcept {
+    using W = Wholes<Real>;
+    using I = Whole<Real>;
+    const I second = W::truncated(share_of_second * Real(whole_weight) + Real(0.5));
+    return W::shifted_left(second, 16) + (I(whole_weight) - second);
+}
+
+// What is wanted of texels, out of an image's words; nothing else of them is fetched. `of_pairs`
+// takes weights and gives sums, whole numbers; `of_halves` takes one texel.
 
 /// Their colours, linear.
 template <class Real>
 struct TexelColor {
-    static Rgb<Real> at(const std::int32_t* words, Whole<Real> index) noexcept {
-        const auto [red_green, blue_alpha] = Wholes<Real>::fetched_two(words, index);
+    using W = Wholes<Real>;
+    static constexpr int channels = 4;
+    static constexpr bool may_be_halves = true;
+
+    static Rgb<Real> of_pairs(const std::int32_t* words, Whole<Real> index,
+                              Whole<Real> weights) noexcept {
+        const Whole<Real> twice = index + index;
+        const auto [red, green] = W::fetched_two(words, twice);
+        const Whole<Real> blue = W::fetched(words + 2, twice + twice);
+        const auto sum = [&](Whole<Real> pair) {
+            return W::real(W::sum_of_products(pair, weights));
+        };
+        return {sum(red), sum(green), sum(blue)};
+    }
+    static Rgb<Real> of_halves(const std::int32_t* words, Whole<Real> index) noexcept {
+        const auto [red_green, blue_alpha] = W::fetched_two(words, index);
         return {real_of_half<Real>(red_green), real_of_high_half<Real>(red_green),
                 real_of_half<Real>(blue_alpha)};
     }
@@ -73,11 +101,35 @@ struct TexelColor {
 /// Their opacity.
 template <class Real>
 struct TexelAlpha {
-    static Real at(const std::int32_t* words, Whole<Real> index) noexcept {
-        const Whole<Real> blue_alpha = Wholes<Real>::fetched(words + 1, index + index);
-        return real_of_high_half<Real>(blue_alpha);
+    using W = Wholes<Real>;
+    static constexpr int channels = 4;
+    static constexpr bool may_be_halves = true;
+
+    static Real of_pairs(const std::int32_t* words, Whole<Real> index,
+                         Whole<Real> weights) noexcept {
+        const Whole<Real> twice = index + index;
+        return W::real(W::sum_of_products(W::fetched(words + 3, twice + twice), weights));
+    }
+    static Real of_halves(const std::int32_t* words, Whole<Real> index) noexcept {
+        return real_of_high_half<Real>(W::fetched(words + 1, index + index));
     }
 };
+
+/// What a sum over pairs of an image is to be multiplied by.
+inline float pair_unit(const TexelImage& image) noexcept {
+    return image.unit() / static_cast<float>(whole_weight);
+}
+
+/// One texel.
+template <class Part, class Real>
+auto texel_at(const TexelImage& image, Whole<Real> index) noexcept {
+    assert(image.channels() == Part::channels);
+    if constexpr (Part::may_be_halves) {
+        if (image.format() == TexelImage::Format::halves)
+            return Part::of_halves(image.words(), index);
+    }
+    return Part::of_pairs(image.words(), index, Whole<Real>(whole_weight)) * Real(pair_unit(image));
+}
 
 /// One level of the pyramid, for each lane its own.
 template <class Real>
@@ -108,7 +160,7 @@ auto nearest_texel(const TexelImage& image, const TexelLevel<Real>& level, Real 
         const I whole = W::truncated(x * W::real(size));
         return select(whole < size, whole, size - I(1));
     };
-    return Part::at(image.words(), level.index(index(u, level.width), index(v, level.height)));
+    return texel_at<Part, Real>(image, level.index(index(u, level.width), index(v, level.height)));
 }
 
 /// A place among four texels.
@@ -131,15 +183,41 @@ TexelQuad<Real> quad_at(const TexelLevel<Real>& level, Real u, Real v, Wrap wrap
                    neighbours<Real>(v, level.height, wrap));
 }
 
+// To call these for each vector of pixels, with all they need in memory, would take as long as a
+// part of the work they do.
+
 template <class Part, class Real>
-auto mixed_texels(const TexelImage& image, const TexelLevel<Real>& level,
+[[gnu::always_inline]] inline auto mixed_pairs(const TexelImage& image,
+                                               const TexelLevel<Real>& level,
+                                               const TexelQuad<Real>& quad) noexcept {
+    const Whole<Real> weights = pair_weights(quad.share_x);
+    const auto row = [&](Whole<Real> first) {
+        return Part::of_pairs(image.words(), first, weights);
+    };
+    return mixed(row(quad.first), row(quad.first + level.stride()), quad.share_y) *
+           Real(pair_unit(image));
+}
+
+template <class Part, class Real>
+auto mixed_halves(const TexelImage& image, const TexelLevel<Real>& level,
                   const TexelQuad<Real>& quad) noexcept {
     const auto row = [&](Whole<Real> first) {
-        const std::int32_t* const words = image.words();
-        return mixed(Part::at(words, first), Part::at(words + TexelImage::words_a_texel, first),
-                     quad.share_x);
+        return mixed(Part::of_halves(image.words(), first),
+                     Part::of_halves(image.words(), first + Whole<Real>(1)), quad.share_x);
     };
     return mixed(row(quad.first), row(quad.first + level.stride()), quad.share_y);
+}
+
+template <class Part, class Real>
+[[gnu::always_inline]] inline auto mixed_texels(const TexelImage& image,
+                                                const TexelLevel<Real>& level,
+                                                const TexelQuad<Real>& quad) noexcept {
+    assert(image.channels() == Part::channels);
+    if constexpr (Part::may_be_halves) {
+        if (image.format() == TexelImage::Format::halves)
+            return mixed_halves<Part>(image, level, quad);
+    }
+    return mixed_pairs<Part>(image, level, quad);
 }
 
 template <class Part, class Real>

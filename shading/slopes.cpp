@@ -22,7 +22,7 @@ private:
     float at(int x, int y) const {
         const int i = inside(x, image_.width());
         const int j = inside(y, image_.height());
-        return luminance(TexelColor<float>::at(image_.words(), image_.index(i, j)));
+        return luminance(texel_at<TexelColor<float>, float>(image_, image_.index(i, j)));
     }
     int inside(int i, int size) const {
         if (wrap_ == Wrap::repeat) return (i + size) % size;
@@ -44,16 +44,16 @@ TexelImage slopes_of(const TexelImage& image, Wrap wrap) {
     const Heights heights(image, wrap);
     const int width = image.width();
     const int height = image.height();
-    std::vector<float> rgba;
-    rgba.reserve(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    std::vector<float> slopes;
+    slopes.reserve(2 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             const float u = is_edge(x, width, wrap) ? 0.0f : heights.slope_u(x, y);
             const float v = is_edge(y, height, wrap) ? 0.0f : heights.slope_v(x, y);
-            rgba.insert(rgba.end(), {u, v, 0.0f, 1.0f});
+            slopes.insert(slopes.end(), {u, v});
         }
     }
-    return TexelImage(width, height, rgba);
+    return TexelImage::of_slopes(width, height, slopes);
 }
 
 }  // namespace scanlight::shading

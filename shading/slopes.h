@@ -27,9 +27,14 @@ struct Slopes {
 
 template <class Real>
 struct TexelSlopes {
-    static Slopes<Real> at(const std::int32_t* words, Whole<Real> index) noexcept {
-        const Whole<Real> both = Wholes<Real>::fetched(words, index + index);
-        return {real_of_half<Real>(both), real_of_high_half<Real>(both)};
+    static constexpr int channels = 2;
+    static constexpr bool may_be_halves = false;
+
+    static Slopes<Real> of_pairs(const std::int32_t* words, Whole<Real> index,
+                                 Whole<Real> weights) noexcept {
+        using W = Wholes<Real>;
+        const auto [u, v] = W::fetched_two(words, index);
+        return {W::real(W::sum_of_products(u, weights)), W::real(W::sum_of_products(v, weights))};
     }
 };
 

@@ -37,9 +37,22 @@ struct SurfaceTextures {
     }
     bool needs_uv() const { return any_that(&Texture::needs_uv); }
     SiteNeeds needs() const {
-        return {any_that([](const Texture& t) { return t.is_filtered() && t.needs_uv(); }),
-                (bump && bump->needs_uv()) || (normal && normal->needs_uv()),
-                any_that([](const Texture& t) { return t.is_filtered() && !t.needs_uv(); })};
+        SiteNeeds needs;
+        any_that([&](const Texture& t) {
+            add(t, needs);
+            return false;
+        });
+        needs.gradients = (bump && bump->needs_uv()) || (normal && normal->needs_uv());
+        return needs;
+    }
+
+private:
+    static void add(const Texture& t, SiteNeeds& to) {
+        const bool has_uv = t.needs_uv();
+        to.point |= !has_uv;
+        to.uv_steps |= t.is_filtered() && has_uv;
+        to.steps |= t.is_filtered() && !has_uv;
+        if (t.is_filtered() && has_uv) to.texels = glm::max(to.texels, t.texels());
     }
 };
 

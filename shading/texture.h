@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
@@ -47,6 +48,11 @@ struct Texture {
     bool needs_uv() const { return !fills_space(pattern) && mapping == Mapping::uv; }
     /// Whether it is told how large a pixel is on it.
     bool is_filtered() const { return pattern == Pattern::image && filter == Filter::trilinear; }
+    /// As many as an image has between (u, v) = (0, 0) and (1, 1).
+    glm::vec2 texels() const {
+        return glm::abs(repeat) *
+               glm::vec2(static_cast<float>(image->width()), static_cast<float>(image->height()));
+    }
 };
 
 /// From what a pixel shows to what the next ones show, on the right and below.
@@ -61,19 +67,21 @@ struct UvGradients {
     Vec3<Real> u, v;
 };
 
-/// Where a texture is looked up. The last three are there where a texture needs them.
+/// Where a texture is looked up. The last three are not there unless a texture needs them.
 template <class Real>
 struct TextureSite {
-    Vec3<Real> point;      // that is seen, world space
-    glm::vec<2, Real> uv;  // the mesh's own
-    std::optional<PixelSteps<glm::vec<2, Real>>> uv_steps;
+    Vec3<Real> point;                                       // that is seen, world space
+    glm::vec<2, Real> uv;                                   // the mesh's own
+    std::optional<PixelSteps<glm::vec<2, Real>>> uv_steps;  // nor where texels cover pixels anyway
     std::optional<UvGradients<Real>> gradients;
     std::optional<PixelSteps<Vec3<Real>>> steps;  // along the surface, world space
 };
 
-/// What of a `TextureSite` textures need, beside the point and (u, v).
+/// What of a `TextureSite` textures need, beside (u, v).
 struct SiteNeeds {
+    bool point = false;
     bool uv_steps = false;
+    glm::vec2 texels{0.0f};  // the most, of textures that need these
     bool gradients = false;
     bool steps = false;
 };
@@ -144,12 +152,12 @@ TexturePlace<Real> place_on(const PlacedTexture& placed, const TextureSite<Real>
     return {uv.x, uv.y, place.grad_u * Real(t.repeat.x), place.grad_v * Real(t.repeat.y)};
 }
 
-/// The square of a pixel's larger side on an image that is so many texels wide and high.
+/// The square of a pixel's larger side on an image of so many texels along u and v.
 template <class Real>
-Real larger_square(const PixelSteps<glm::vec<2, Real>>& steps, float width, float height) noexcept {
+Real larger_square(const PixelSteps<glm::vec<2, Real>>& steps, const glm::vec2& texels) noexcept {
     const auto squared = [&](const glm::vec<2, Real>& step) {
-        const Real u = step.x * Real(width);
-        const Real v = step.y * Real(height);
+        const Real u = step.x * Real(texels.x);
+        const Real v = step.y * Real(texels.y);
         return u * u + v * v;
     };
     const Real right = squared(steps.right);
@@ -170,9 +178,8 @@ template <class Real>
 TextureSpot<Real> spot_at(const Texture& t, const TexturePlace<Real>& place,
                           const TextureSite<Real>& site) noexcept {
     if (!t.is_filtered()) return {place.u, place.v, Real(0)};
-    const auto width = static_cast<float>(t.image->width());
-    const auto height = static_cast<float>(t.image->height());
-    return {place.u, place.v, larger_square(steps_on(place, *site.steps), width, height)};
+    const glm::vec2 texels(t.image->width(), t.image->height());
+    return {place.u, place.v, larger_square(steps_on(place, *site.steps), texels)};
 }
 
 template <class Real>
@@ -181,16 +188,16 @@ template <class Real>
     return spot_at(*placed.texture, place_on(placed, site), site);
 }
 
-/// On the mesh's own (u, v) it needs no gradients, which cost more than all else.
+/// On the mesh's own (u, v) it needs no gradients, which cost more than all else. Inlined for the
+/// reason of `mixed_texels`.
 template <class Real>
-TextureSpot<Real> spot_on(const PlacedTexture& placed, const TextureSite<Real>& site) noexcept {
+[[gnu::always_inline]] inline TextureSpot<Real> spot_on(const PlacedTexture& placed,
+                                                        const TextureSite<Real>& site) noexcept {
     const Texture& t = *placed.texture;
     if (t.mapping != Mapping::uv) return mapped_spot(placed, site);
     const glm::vec<2, Real> uv = repeated(t, site.uv.x, site.uv.y);
-    if (!t.is_filtered()) return {uv.x, uv.y, Real(0)};
-    const auto width = t.repeat.x * static_cast<float>(t.image->width());
-    const auto height = t.repeat.y * static_cast<float>(t.image->height());
-    return {uv.x, uv.y, larger_square(*site.uv_steps, width, height)};
+    if (!t.is_filtered() || !site.uv_steps) return {uv.x, uv.y, Real(0)};
+    return {uv.x, uv.y, larger_square(*site.uv_steps, t.texels())};
 }
 
 }  // namespace scanlight::shading

@@ -45,6 +45,11 @@ struct Wholes<Real> {
     static Type product(Type a, Type b) noexcept {
         return static_cast<Type>(static_cast<std::uint32_t>(a) * static_cast<std::uint32_t>(b));
     }
+    /// Of two signed 16-bit numbers in each: that of the low ones plus that of the high ones.
+    static Type sum_of_products(Type a, Type b) noexcept {
+        const auto low = [](Type word) { return static_cast<std::int16_t>(word & 0xffff); };
+        return low(a) * low(b) + (a >> 16) * (b >> 16);
+    }
     /// The number whose IEEE 754 bits, as a float, these are.
     static Real real_of_float_bits(Type bits) noexcept {
         return static_cast<Real>(std::bit_cast<float>(bits));

@@ -21,7 +21,7 @@ PickedPoint picked_point(const Stage& stage, const Pixel& wanted) {
     const shading::Vec3<double> N(normals.at(pixel.x, pixel.y));
     const shading::Vec3<double> L(
         shading::incident_at(frame.lighting.lights.front(), point).direction);
-    const shading::Vec3<double> V(frame.view_from(point));
+    const shading::Vec3<double> V(frame.view_at(pixel.x, pixel.y));
     return {pixel, {N, L, V, shading::half_vector(L, V), shading::reflected(L, N)}};
 }
 

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "shading/slopes.h"
+
 namespace scanlight::peers {
 
 namespace {
@@ -26,16 +28,19 @@ void upload_colors() {
                  GL_UNSIGNED_BYTE, bytes.data());
 }
 
-/// The two 16-bit floats that our own texels begin with.
+/// As 16-bit floats.
 void upload_slopes() {
     const auto image = coat_textures(Coat::bump).bump->image;
-    std::vector<std::int32_t> slopes;
+    std::vector<float> slopes;
     for (int y = 0; y < image->height(); ++y) {
-        for (int x = 0; x < image->width(); ++x)
-            slopes.push_back(image->words()[image->index(x, y) * image->words_a_texel]);
+        for (int x = 0; x < image->width(); ++x) {
+            const auto [u, v] =
+                shading::texel_at<shading::TexelSlopes<float>, float>(*image, image->index(x, y));
+            slopes.insert(slopes.end(), {u, v});
+        }
     }
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, image->width(), image->height(), 0, GL_RG,
-                 GL_HALF_FLOAT, slopes.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, image->width(), image->height(), 0, GL_RG, GL_FLOAT,
+                 slopes.data());
 }
 
 }  // namespace

@@ -395,6 +395,15 @@ inline void store(Longs a, std::int64_t* to) {
 inline Ints gather(const std::int32_t* base, Ints index) {
     return hn::GatherIndex(IntTag(), base, index.v);
 }
+/// Of two signed 16-bit numbers in each: that of the low ones plus that of the high ones.
+inline Ints sum_of_products(Ints a, Ints b) {
+    const IntTag whole;
+    const hn::Repartition<std::int16_t, IntTag> halves;
+    auto some = hn::Zero(whole);
+    const auto others = hn::ReorderWidenMulAccumulate(whole, hn::BitCast(halves, a.v),
+                                                      hn::BitCast(halves, b.v), some, some);
+    return Ints(hn::RearrangeToOddPlusEven(others, some));
+}
 struct IntPairs {
     Ints first, second;
 };

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "render/lanes/pixel_lanes.h"
+#include "render/lanes/store.h"
 #include "render/textured.h"
 
 namespace scanlight::render::HWY_NAMESPACE {
@@ -51,14 +52,33 @@ private:
     float lanes_[size][lane_count];
 };
 
+/// See `MagnifiedFaces`: 1 or 0.
+inline Ints find_magnified(const ObjectPass& pass, Ints face,
+                           const shading::PixelSteps<VectorLanes>& steps) {
+    const mesh::Vertices& v = pass.mesh().vertices;
+    MagnifiedFaces<Floats> faces(steps, pass.needs.texels,
+                                 uv_precision(pass.uv_unit, pass.frame->viewport));
+    for_each_corner(pass.mesh(), face, [&](Ints vertex, Mask has) {
+        faces.add(has, {gather(v.u.data(), vertex), gather(v.v.data(), vertex)},
+                  gather(pass.vertices.w.data(), vertex));
+    });
+    const float near = 1.0f / pass.frame->world_from_screen[3][3];
+    return select(faces.are_sure(near), Ints(1), Ints(0));
+}
+
 /// Faces [begin, end) of a pass that keeps them.
 SCANLIGHT_FLATTEN inline void find_face_uvs(ObjectPass& pass, std::size_t begin, std::size_t end) {
     const Ints last(static_cast<std::int32_t>(end) - 1);
     for (std::size_t i = begin; i < end; i += lane_count) {
         const Ints face = min(Ints(static_cast<std::int32_t>(i)) + iota(), last);
-        const FaceRows rows(worked_out_uvs(pass, face));
-        for (std::size_t j = 0; j < std::min<std::size_t>(lane_count, end - i); ++j)
+        const std::size_t count = std::min<std::size_t>(lane_count, end - i);
+        const FaceUvs<Floats> uvs = worked_out_uvs(pass, face);
+        const FaceRows rows(uvs);
+        for (std::size_t j = 0; j < count; ++j)
             pass.face_uvs[i + j] = rows[j];
+        if (pass.is_magnified.empty()) continue;
+        store_some(find_magnified(pass, face, uvs.steps), static_cast<int>(count),
+                   pass.is_magnified.data() + i);
     }
 }
 
@@ -79,6 +99,14 @@ void fetch_rows(const float* rows, int stride, Ints face, Floats* to) {
 }
 
 // Of the pixels' faces.
+
+/// Whether all are known to be so.
+inline bool are_magnified(const ObjectPass& pass, Ints face) {
+    if (pass.is_magnified.empty()) return false;
+    const std::int32_t first = first_lane(face);
+    if (all(face == Ints(first))) return pass.is_magnified[static_cast<std::size_t>(first)] != 0;
+    return all(gather(pass.is_magnified.data(), face) == Ints(1));
+}
 
 inline shading::PixelSteps<VectorLanes> face_uv_steps(const ObjectPass& pass, Ints face) {
     if (pass.face_uvs.empty()) return worked_out_uvs(pass, face).steps;

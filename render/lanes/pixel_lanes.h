@@ -37,6 +37,9 @@ struct Wholes<raster::HWY_NAMESPACE::Floats> {
     }
     static Type sum(Type a, Type b) { return a + b; }
     static Type product(Type a, Type b) { return a * b; }
+    static Type sum_of_products(Type a, Type b) {
+        return raster::HWY_NAMESPACE::sum_of_products(a, b);
+    }
     static Floats real_of_float_bits(Type bits) { return floats_from_bits(bits); }
 };
 }  // namespace scanlight::shading
@@ -52,6 +55,21 @@ inline VectorLanes gather(const std::vector<glm::vec3>& vectors, Ints index) {
     const float* base = &vectors.data()->x;
     const Ints first = index * Ints(3);
     return {gather(base, first), gather(base, first + Ints(1)), gather(base, first + Ints(2))};
+}
+
+/// Calls `add(vertex, has)` with the corners of each lane's face in their order. Returns how many
+/// each has.
+template <class Add>
+Floats for_each_corner(const mesh::Mesh& mesh, Ints face, Add&& add) {
+    const auto* begins = reinterpret_cast<const std::int32_t*>(mesh.face_begin.data());
+    const auto* corners = reinterpret_cast<const std::int32_t*>(mesh.corners.data());
+    const Ints begin = gather(begins, face);
+    const Ints count = gather(begins, face + Ints(1)) - begin;
+    for (Ints k(0); any(k < count); k += Ints(1)) {
+        const Mask has = k < count;
+        add(gather(corners, begin + select(has, k, Ints(0))), has);
+    }
+    return floats_of(count);
 }
 
 /// Calls `use(number, lanes)` for each number among the wanted lanes, with those that have it. No
@@ -152,6 +170,18 @@ inline VectorLanes screen_at(const PixelLanes& pixels) {
     return {floats_of(Ints(pixels.x) + iota()) + Floats(0.5f),
             Floats(static_cast<float>(pixels.y) + 0.5f),
             floats_of(pixels.depth()) * Floats(raster::ndc_a_depth)};
+}
+
+/// `Frame::point_at`, where anybody asks for it.
+inline VectorLanes point_at(const ObjectPass& pass, const PixelLanes& pixels) {
+    if (!pass.needs_point) return VectorLanes(Floats(0));
+    return point_behind(pass.frame->world_from_screen, screen_at(pixels));
+}
+
+/// `Frame::view_at`.
+inline VectorLanes view_at(const ObjectPass& pass, const PixelLanes& pixels) {
+    return view_along(pass.frame->sight_lines, floats_of(Ints(pixels.x) + iota()) + Floats(0.5f),
+                      Floats(static_cast<float>(pixels.y) + 0.5f));
 }
 
 /// Of the side seen, world space.

@@ -50,25 +50,11 @@ private:
         });
     }
 
-    /// Calls `add(vertex, has)` with the corners of each lane's face in their order.
-    template <class Add>
-    Floats for_each_corner(Ints face, Add&& add) const {
-        const auto* begins = reinterpret_cast<const std::int32_t*>(pass_.mesh().face_begin.data());
-        const auto* corners = reinterpret_cast<const std::int32_t*>(pass_.mesh().corners.data());
-        const Ints begin = gather(begins, face);
-        const Ints count = gather(begins, face + Ints(1)) - begin;
-        for (Ints k(0); any(k < count); k += Ints(1)) {
-            const Mask has = k < count;
-            add(gather(corners, begin + select(has, k, Ints(0))), has);
-        }
-        return floats_of(count);
-    }
-
     /// The mean of the corners' vectors, added in their order.
     VectorLanes mean(const std::vector<float>& x, const std::vector<float>& y,
                      const std::vector<float>& z, Ints face) const {
         VectorLanes sum(Floats(0));
-        const Floats count = for_each_corner(face, [&](Ints vertex, Mask has) {
+        const Floats count = for_each_corner(pass_.mesh(), face, [&](Ints vertex, Mask has) {
             const VectorLanes corner(gather(x.data(), vertex), gather(y.data(), vertex),
                                      gather(z.data(), vertex));
             sum = shading::select(has, sum + corner, sum);
@@ -126,8 +112,7 @@ public:
     PhongLanes(const ObjectPass& pass, const Model& model) : pass_(pass), model_(model) {}
 
     Surface surface(const PixelLanes& pixels) const {
-        const VectorLanes point = point_at(pixels);
-        return {{point, normal_at(pass_, pixels), view_from(pass_.frame->viewpoint, point)},
+        return {{point_at(pass_, pixels), normal_at(pass_, pixels), view_at(pass_, pixels)},
                 vertex_color(pixels)};
     }
 
@@ -142,22 +127,19 @@ public:
     /// Calls `write(i, color)` for each of a few vectors of pixels.
     template <class Seen, class Write>
     void light_few(const shading::Few<Seen>& seen, Write&& write) const requires(lights_few) {
-        const auto surfaces =
-            shading::few_of(seen.count(), [&](int i) { return &seen[i].surface.seen; });
+        const auto& material = pass_.object->materials.front();
+        const auto places = shading::places_of<Floats>(
+            seen.count(), [&](int i) -> const auto& { return seen[i].surface.seen; },
+            [&](int) -> const auto& { return material; });
         const auto arriving = [&](int i, std::size_t light, const ColorLanes& term) {
             return Unshadowed{seen[i].faces.shadowed}(light, term);
         };
-        illuminate_few(model_, surfaces, pass_.object->materials.front(), pass_.frame->lighting,
-                       arriving, write);
+        illuminate_few(model_, places, pass_.frame->lighting, arriving, write);
     }
 
     Floats opacity(const PixelLanes& pixels) const { return material_opacity(pass_, pixels); }
 
 private:
-    VectorLanes point_at(const PixelLanes& pixels) const {
-        return point_behind(pass_.frame->world_from_screen, screen_at(pixels));
-    }
-
     static ColorLanes vertex_color(const PixelLanes& pixels) {
         if constexpr (paint != Paint::vertices) return ColorLanes(Floats(0));
         const Ints a_q[] = {pixels.attribute(3), pixels.attribute(4), pixels.attribute(5),

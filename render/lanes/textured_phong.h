@@ -19,12 +19,9 @@ public:
 
     /// Each part is made in its place: to copy such long ones would take its time.
     Surface surface(const PixelLanes& pixels) const {
-        const glm::mat4& world_from_screen = pass_.frame->world_from_screen;
-        const VectorLanes screen = screen_at(pixels);
-        const VectorLanes point = point_behind(world_from_screen, screen);
-        const Floats inverse_w = Floats(1) / point_component(world_from_screen, 3, screen);
-        return {{point, normal_at(pass_, pixels), view_from(pass_.frame->viewpoint, point)},
-                site_at(pixels, point, own_uv(pixels), inverse_w),
+        const VectorLanes point = point_at(pass_, pixels);
+        return {{point, normal_at(pass_, pixels), view_at(pass_, pixels)},
+                site_at(pixels, point),
                 color(pixels),
                 select(pixels.back(), Floats(-1), Floats(1))};
     }
@@ -43,6 +40,10 @@ public:
             shading::few_of(seen.count(), [&](int i) { return &seen[i].surface; });
         const auto normals = normals_on(pass_.textures.front(), surfaces);
         const auto paints = paints_on(pass_.textures.front(), surfaces);
+        if constexpr (shading::WorksOnFew<Model>) {
+            if (are_all_in_look(pass_.textures.front(), *pass_.frame))
+                return light_painted(seen, normals, paints, write);
+        }
         for (int i = 0; i < seen.count(); ++i)
             write(i, lit(seen[i].faces, seen[i].surface, {normals[i], paints[i]}, 0));
     }
@@ -57,6 +58,24 @@ public:
     }
 
 private:
+    /// Where their look is all that textures say.
+    template <class Seen, class Write>
+    void light_painted(const shading::Few<Seen>& seen, const shading::Few<VectorLanes>& normals,
+                       const shading::Few<ColorLanes>& paints, Write&& write) const {
+        const auto& material = pass_.object->materials.front();
+        const auto places = shading::places_of<Floats>(
+            seen.count(),
+            [&](int i) {
+                const auto& [point, normal, view] = seen[i].surface.surface;
+                return shading::Surface<Floats>{point, normals[i], view};
+            },
+            [&](int i) { return painted(material, paints[i]); });
+        const auto arriving = [&](int i, std::size_t light, const ColorLanes& term) {
+            return Unshadowed{seen[i].faces.shadowed}(light, term);
+        };
+        illuminate_few(model_, places, pass_.frame->lighting, arriving, write);
+    }
+
     ColorLanes lit(const FaceLanes& faces, const Surface& surface, const Look<Floats>& look,
                    std::size_t number) const {
         return illuminate_textured(model_, surface, look, pass_.object->materials[number],
@@ -64,11 +83,14 @@ private:
                                    Unshadowed{faces.shadowed});
     }
 
-    shading::TextureSite<Floats> site_at(const PixelLanes& pixels, const VectorLanes& point,
-                                         const glm::vec<2, Floats>& uv, Floats inverse_w) const {
+    shading::TextureSite<Floats> site_at(const PixelLanes& pixels, const VectorLanes& point) const {
         const Ints face = pixels.face();
-        return {point, uv, uv_steps(face, uv, inverse_w), gradients(face),
-                steps(face, point, inverse_w)};
+        const glm::vec<2, Floats> uv = own_uv(pixels);
+        return {point, uv, uv_steps(pixels, face, uv), gradients(face), steps(pixels, face, point)};
+    }
+
+    Floats inverse_w_at(const PixelLanes& pixels) const {
+        return Floats(1) / point_component(pass_.frame->world_from_screen, 3, screen_at(pixels));
     }
 
     std::optional<ColorLanes> color(const PixelLanes& pixels) const {
@@ -83,11 +105,10 @@ private:
         return {uv.x * unit, uv.y * unit};
     }
 
-    std::optional<shading::PixelSteps<glm::vec<2, Floats>>> uv_steps(Ints face,
-                                                                     const glm::vec<2, Floats>& uv,
-                                                                     Floats inverse_w) const {
-        if (!pass_.needs.uv_steps) return {};
-        return uv_steps_at(face_uv_steps(pass_, face), uv, inverse_w);
+    std::optional<shading::PixelSteps<glm::vec<2, Floats>>> uv_steps(
+        const PixelLanes& pixels, Ints face, const glm::vec<2, Floats>& uv) const {
+        if (!pass_.needs.uv_steps || are_magnified(pass_, face)) return {};
+        return uv_steps_at(face_uv_steps(pass_, face), uv, inverse_w_at(pixels));
     }
 
     std::optional<shading::UvGradients<Floats>> gradients(Ints face) const {
@@ -95,14 +116,14 @@ private:
         return face_gradients(pass_, face);
     }
 
-    std::optional<shading::PixelSteps<VectorLanes>> steps(Ints face, const VectorLanes& point,
-                                                          Floats inverse_w) const {
+    std::optional<shading::PixelSteps<VectorLanes>> steps(const PixelLanes& pixels, Ints face,
+                                                          const VectorLanes& point) const {
         if (!pass_.needs.steps) return {};
         const FaceMatrices& m = pass_.face_matrices;
         const auto steps = face_steps(m.object_from_screen, m.world_from_screen,
                                       gather(pass_.mesh().face_normals, face),
                                       gather(pass_.mesh().face_offset.data(), face));
-        return steps_at(steps, point, inverse_w);
+        return steps_at(steps, point, inverse_w_at(pixels));
     }
 
     /// So many attributes from the `first` on, divided by q.

@@ -81,6 +81,31 @@ TEST(Frame, ViewPointsAtTheEye) {
     }
 }
 
+TEST(Frame, ViewAtAPixelIsThatFromWhatItShows) {
+    Random random(5);
+    for (int i = 0; i < 500; ++i) {
+        const Case c = random_case(random, all_projections[static_cast<std::size_t>(i % 2)]);
+        const Frame frame = frame_of(c.scene, Distances::finite, c.size);
+        const int x = random.below(c.size.width);
+        const int y = random.below(c.size.height);
+        const double distance = random.between(c.scene.camera.near, c.scene.camera.far);
+        const glm::dvec3 point = exact_point(c, x, y, distance);
+        const glm::dvec3 expected = frame.is_parallel() ? c.scene.camera.eye - c.scene.camera.target
+                                                        : c.scene.camera.eye - point;
+        ASSERT_LT(glm::length(glm::dvec3(frame.view_at(x, y)) - glm::normalize(expected)), 1e-6);
+    }
+}
+
+TEST(Frame, ViewAtAPixelIsADirectionHoweverWideTheCameraSees) {
+    Scene scene;
+    for (const double magnification : {1e-15, 1.0, 1e15}) {
+        scene.camera.magnification = magnification;
+        const Frame frame = frame_of(scene, Distances::finite, {16384, 1});
+        for (const int x : {0, 8191, 8192, 16383})
+            EXPECT_NEAR(glm::length(glm::dvec3(frame.view_at(x, 0))), 1.0, 1e-6) << magnification;
+    }
+}
+
 TEST(Frame, ViewIsTheSameEverywhereForAParallelCamera) {
     Random random(3);
     const Case c = random_case(random, Projection::orthographic);
@@ -109,6 +134,8 @@ TEST(Frame, AtInfinityEyeAndLampsHaveTheTargetsDirections) {
     EXPECT_EQ(frame.lighting.lights[1].place, c.scene.lighting.lights[1].place);
     for (int i = 0; i < 20; ++i) {
         EXPECT_LT(glm::length(glm::dvec3(frame.view_from(random.in_cube(50.0))) - view), 1e-6);
+        const int x = random.below(c.size.width);
+        EXPECT_LT(glm::length(glm::dvec3(frame.view_at(x, 3)) - view), 1e-6);
     }
 }
 

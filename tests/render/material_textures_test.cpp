@@ -55,7 +55,8 @@ MaterialTextures textured(const std::vector<Material>& materials, Files& files) 
 }
 
 glm::vec3 first_texel(const shading::Texture& texture) {
-    return shading::TexelColor<float>::at(texture.image->words(), texture.image->index(0, 0));
+    return shading::texel_at<shading::TexelColor<float>, float>(*texture.image,
+                                                                texture.image->index(0, 0));
 }
 
 TEST(MaterialTextures, EachStatementFindsItsAttribute) {
@@ -182,7 +183,7 @@ TEST(MaterialTextures, WarningsHaveABound) {
 }
 
 TEST(MaterialTextures, TogetherTheyHaveABound) {
-    Files files{{{"a", picture(256, 256, 1)}, {"b", picture(256, 256, 1)}, {"c", picture(8, 8, 1)}},
+    Files files{{{"a", picture(192, 192, 1)}, {"b", picture(192, 192, 1)}, {"c", picture(8, 8, 1)}},
                 {}};
     const auto result = surface_textures(
         {material_of({{MapUse::diffuse, map_of("b")}}),

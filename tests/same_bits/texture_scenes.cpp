@@ -19,13 +19,15 @@ using shading::SurfaceTextures;
 using shading::Texture;
 using shading::Wrap;
 
-/// Sides that are no powers of two, and texels that are no whole bytes.
-std::shared_ptr<const shading::TexelImage> test_image(int width, int height) {
+/// Sides that are no powers of two, and texels that are no whole bytes; brighter than white where
+/// `most` is more than 1.
+std::shared_ptr<const shading::TexelImage> test_image(int width, int height, float most = 1.0f) {
     std::vector<float> rgba;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             for (const int step : {3, 5, 7, 11})
-                rgba.push_back(static_cast<float>((x * step + y * (step + 2)) % 17) / 16.0f);
+                rgba.push_back(static_cast<float>((x * step + y * (step + 2)) % 17) *
+                               (most / 16.0f));
         }
     }
     return std::make_shared<const shading::TexelImage>(width, height, rgba);
@@ -46,6 +48,23 @@ Texture slopes(Filter filter, Wrap wrap) {
     Texture t = image(filter, wrap);
     t.image = std::make_shared<const shading::TexelImage>(shading::slopes_of(*t.image, wrap));
     return t;
+}
+
+/// Of which some faces are seen from so near that texels cover pixels, others from farther away.
+Texture large_texels(float most = 1.0f) {
+    Texture t = image(Filter::trilinear, Wrap::repeat);
+    t.image = test_image(13, 9, most);
+    t.repeat = {-1.0f, 0.8f};
+    return t;
+}
+
+SurfaceTextures large_bumps() {
+    Texture t = large_texels();
+    t.image = std::make_shared<const shading::TexelImage>(shading::slopes_of(*t.image, t.wrap));
+    SurfaceTextures textures;
+    textures.bump = t;
+    textures.bump_height = 0.03f;
+    return textures;
 }
 
 Texture pattern(Pattern pattern, Mapping mapping) {
@@ -87,6 +106,14 @@ TestScene textured_scene(const std::string& shape, const SurfaceTextures& textur
     test.scene.lighting = {glm::vec3(0.1f, 0.12f, 0.15f),
                            {lamp({1.5f, 2.5f, 1.0f}, {0.8f, 0.7f, 0.5f}),
                             sun({-0.5f, 0.9f, 0.6f}, {0.2f, 0.3f, 0.5f})}};
+    return test;
+}
+
+/// Lit from far away only.
+TestScene sunny_scene(const std::string& shape, const SurfaceTextures& textures,
+                      const Settings& settings) {
+    TestScene test = textured_scene(shape, textures, settings);
+    test.scene.lighting.lights.erase(test.scene.lighting.lights.begin());
     return test;
 }
 
@@ -146,6 +173,23 @@ NamedScenes texture_scenes() {
         add(name, "torus:16,9", textures, {});
     for (const std::string shape : {"cube", "sphere:7,5", "teapot:2", "plane:1"})
         add("everything-" + shape.substr(0, shape.find(':')), shape, all.back().textures, {});
+    const auto add_sunny = [&](const std::string& name, const std::string& shape,
+                               const SurfaceTextures& textures, const Settings& settings) {
+        scenes.push_back({"textures/" + name, [shape, textures, settings] {
+                              return sunny_scene(shape, textures, settings);
+                          }});
+    };
+    for (const std::string shape : {"cube", "torus:16,9", "plane:1"}) {
+        const std::string name = "-" + shape.substr(0, shape.find(':'));
+        SurfaceTextures textures;
+        textures.diffuse = large_texels();
+        add_sunny("large-texels" + name, shape, textures, {});
+        textures.diffuse = large_texels(5.0f);
+        add_sunny("large-bright-texels" + name, shape, textures, {});
+        add_sunny("large-bumps" + name, shape, large_bumps(), {});
+        add_sunny("large-affine-bumps" + name, shape, large_bumps(),
+                  {.perspective = Perspective::affine});
+    }
     add("affine", "cylinder:9", all[3].textures, {.perspective = Perspective::affine});
     add("front", "cylinder:9", all.back().textures, {.cull = Cull::front});
     add("shadows", "torus:12,7", all.back().textures, {.shadows = Shadows::zfail});

@@ -150,39 +150,6 @@ Rgb<double> lit_from(const Material<double>& material, double light_deg, double 
     return illuminate<CookTorrance>(surface, material, {Rgb<double>(0), {light}});
 }
 
-TEST(CookTorrance, OfAFewSurfacesIsThatOfEach) {
-    Random random(7);
-    Lighting<float> lighting{Rgb<float>(0.1f), {}};
-    lighting.lights.push_back(directional_light(Vec3<float>(1, 2, 3), Rgb<float>(0.7f)));
-    lighting.lights.push_back(point_light(Vec3<float>(0.5f, 3, -1), Rgb<float>(0.9f, 0.5f, 0.3f)));
-    const auto arriving = [](int i, std::size_t light, const Rgb<float>& term) {
-        return i == 1 && light == 0 ? Rgb<float>(0.0f) : term;
-    };
-    for (int i = 0; i < 500; ++i) {
-        Material<float> material;
-        material.facets = {random_slopes(random), random_reflectance(random), 0.6};
-        std::vector<Surface<float>> memory;
-        for (int k = 0; k < few; ++k) {
-            const Vec3<float> point(random.in_cube(1));
-            const Vec3<float> normal(random.unit_vector());
-            memory.push_back({point, normal, Vec3<float>(random.unit_vector())});
-        }
-        const auto surfaces =
-            few_of(few, [&](int k) { return &std::as_const(memory[static_cast<std::size_t>(k)]); });
-        int lit = 0;
-        illuminate_few(CookTorrance{}, surfaces, material, lighting, arriving,
-                       [&](int k, const Rgb<float>& color) {
-                           const auto of_it = [&](std::size_t light, const Rgb<float>& term) {
-                               return arriving(k, light, term);
-                           };
-                           ASSERT_EQ(color, illuminate(CookTorrance{}, *surfaces[k], material,
-                                                       lighting, of_it));
-                           ++lit;
-                       });
-        ASSERT_EQ(lit, few);
-    }
-}
-
 /// The diffuse halves of both models agree.
 TEST(CookTorrance, WithoutFacetsIsLamberts) {
     const Rgb<double> light = lit_from(material_of(dielectric(1.5), 0), 40, 10);

@@ -75,7 +75,7 @@ TEST(Fresnel, OfEqualMediaIsExactlyNothing) {
 /// With the same index in all channels.
 template <class Real>
 Real grey_metal(Real c, Real n, Real k) {
-    return fresnel_metal(c, Rgb<Real>(n), Rgb<Real>(k)).x;
+    return fresnel_metal(c, metal_indices(Rgb<Real>(n), Rgb<Real>(k))).x;
 }
 
 TEST(Fresnel, LiesWithinZeroAndOneWhereverItIsAsked) {
@@ -127,9 +127,9 @@ TEST(FresnelMetal, IsInEachChannelWhatItWouldBeAlone) {
         const double c = random.between(1e-6, 1);
         const Rgb<double> n(index(), index(), index());
         const Rgb<double> k(index(), index(), index());
-        const Rgb<double> all = fresnel_metal(c, n, k);
+        const Rgb<double> all = fresnel_metal(c, metal_indices(n, k));
         for (int j = 0; j < 3; ++j) {
-            const auto [mirrored, of] = metal_share(c, n[j], k[j]);
+            const auto [mirrored, of] = metal_share(c, metal_index(n[j], k[j]));
             ASSERT_NEAR(all[j], mirrored / of, 1e-14) << c;
         }
     }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -334,6 +335,59 @@ TEST(FacingViewer, LightsTheBackOfASheet) {
     const Material<float> material{.diffuse = Rgb<float>(0.5f)};
     EXPECT_EQ(illuminate<Lambert>(back, material, lighting).x, 0.0f);
     EXPECT_EQ(illuminate<Lambert>(facing_viewer(back), material, lighting).x, 0.5f);
+}
+
+Material<float> some_material(Random& random) {
+    Material<float> material;
+    material.ambient = Rgb<float>(random.color());
+    material.diffuse = Rgb<float>(random.color());
+    material.specular = Rgb<float>(random.color());
+    material.exponent = Exponent(std::floor(random.between(0, 40)));
+    material.facets = {{static_cast<FacetDistribution>(random.between(0, 3)), 0.3},
+                       dielectric(1.5),
+                       random.between(0, 1)};
+    return material;
+}
+
+template <class Model>
+void expect_few_as_each(const Model& model) {
+    Random random(21);
+    Lighting<float> lighting{Rgb<float>(0.1f), {}};
+    lighting.lights.push_back(directional_light(Vec3<float>(1, 2, 3), Rgb<float>(0.7f)));
+    lighting.lights.push_back(point_light(Vec3<float>(0.5f, 3, -1), Rgb<float>(0.9f, 0.5f, 0.3f)));
+    const auto arriving = [](int i, std::size_t light, const Rgb<float>& term) {
+        return i == 1 && light == 0 ? Rgb<float>(0.0f) : term;
+    };
+    for (int i = 0; i < 500; ++i) {
+        std::vector<Surface<float>> surfaces;
+        std::vector<Material<float>> materials;
+        const int count = 1 + i % few;
+        for (int k = 0; k < count; ++k) {
+            const Vec3<float> point(random.in_cube(1));
+            const Vec3<float> normal(random.unit_vector());
+            surfaces.push_back({point, normal, Vec3<float>(random.unit_vector())});
+            materials.push_back(some_material(random));
+            materials.back().facets.slopes = materials.front().facets.slopes;
+        }
+        const auto surface_at = [&](int k) { return surfaces[static_cast<std::size_t>(k)]; };
+        const auto material_at = [&](int k) { return materials[static_cast<std::size_t>(k)]; };
+        int lit = 0;
+        illuminate_few(
+            model, places_of<float>(count, surface_at, material_at), lighting, arriving,
+            [&](int k, const Rgb<float>& color) {
+                const auto of_it = [&](std::size_t light, const Rgb<float>& term) {
+                    return arriving(k, light, term);
+                };
+                ASSERT_EQ(color, illuminate(model, surface_at(k), material_at(k), lighting, of_it));
+                ++lit;
+            });
+        ASSERT_EQ(lit, count);
+    }
+}
+
+TEST(IlluminateFew, IsThatOfEach) {
+    expect_few_as_each(Phong{});
+    expect_few_as_each(CookTorrance{});
 }
 
 }  // namespace

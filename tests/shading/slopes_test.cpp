@@ -33,7 +33,7 @@ TexelImage hills(int width, int height) {
 }
 
 Slopes<float> texel(const TexelImage& slopes, int x, int y) {
-    return TexelSlopes<float>::at(slopes.words(), slopes.index(x, y));
+    return texel_at<TexelSlopes<float>, float>(slopes, slopes.index(x, y));
 }
 
 using Spot = TextureSpot<double>;
@@ -49,6 +49,33 @@ TEST(Slopes, OfARampAreItsStep) {
         EXPECT_EQ(texel(slopes, x, 3).u, 1 / 16.0f);
         EXPECT_EQ(texel(slopes, x, 3).v, -1 / 32.0f);
     }
+}
+
+TEST(Slopes, HoweverFlatAreKeptAsFinely) {
+    for (const float scale : {1e9f, 1.0f, 1e-3f, 1e-9f}) {
+        const std::vector<float> numbers{7 * scale, -scale, scale, 0.0f};
+        const TexelImage slopes = TexelImage::of_slopes(2, 1, numbers);
+        EXPECT_EQ(slopes.format(), TexelImage::Format::pairs);
+        EXPECT_NEAR(texel(slopes, 0, 0).u / scale, 7.0, 5e-4) << scale;
+        EXPECT_NEAR(texel(slopes, 0, 0).v / scale, -1.0, 5e-4) << scale;
+        EXPECT_NEAR(texel(slopes, 1, 0).u / scale, 1.0, 5e-4) << scale;
+        EXPECT_EQ(texel(slopes, 1, 0).v, 0.0f);
+    }
+}
+
+/// The largest number is 32767 units; one more takes a larger unit.
+TEST(Slopes, HaveTheSmallestUnitInWhichTheyFit) {
+    const auto unit_of = [](float largest) {
+        return TexelImage::of_slopes(1, 1, std::vector<float>{0.0f, largest}).unit();
+    };
+    EXPECT_EQ(unit_of(32767.0f), 1.0f);
+    EXPECT_EQ(unit_of(-32767.0f), 1.0f);
+    EXPECT_EQ(unit_of(32767.002f), 2.0f);
+    EXPECT_EQ(unit_of(1.0f), 0x1p-14f);
+    const auto flat = TexelImage::of_slopes(1, 1, std::vector<float>{0.0f, 0.0f});
+    EXPECT_EQ(texel(flat, 0, 0).u, 0.0f);
+    EXPECT_EQ(texel(TexelImage::of_slopes(1, 1, std::vector<float>{0.0f, -32767.0f}), 0, 0).v,
+              -32767.0f);
 }
 
 TEST(Slopes, AcrossAnEdgeAreThoseOfWhatGoesOnThere) {
