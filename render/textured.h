@@ -208,15 +208,18 @@ public:
         squared_ = select(has & (squared > squared_), squared, squared_);
         farthest_ = select(has & (w > farthest_), w, farthest_);
         nearest_ = select(has & (w < nearest_), w, nearest_);
+        const Real u = magnitude(uv.x);
+        const Real v = magnitude(uv.y);
         const Real most(precision_.most);
-        const auto is_known = (magnitude(uv.x) <= most) & (magnitude(uv.y) <= most) & (w > Real(0));
+        const auto is_known = (u <= most) & (v <= most) & (w > Real(0));
         is_known_ = is_known_ & (is_known | !has);
     }
 
     /// `near`: the least w that is seen. Depth tells w to 1/100 as far as 2^17 times that.
     Mask are_sure(float near) const {
         const Real size = squared_ * (farthest_ * farthest_);
-        return is_known_ & (farthest_ < Real(near * 0x1p17f)) & (noise() < Real(0x1p-4f)) &
+        const Real by_rounding = noise();
+        return is_known_ & (farthest_ < Real(near * 0x1p17f)) & (by_rounding < Real(0x1p-4f)) &
                (size < Real(0.8f));
     }
 
