@@ -35,7 +35,8 @@ struct Frame {
 
     /// V of what a pixel's centre shows, from the line of sight.
     glm::vec3 view_at(int x, int y) const {
-        return view_along(sight_lines, static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+        const SightRow row = sight_row(sight_lines, static_cast<float>(y) + 0.5f);
+        return view_along(row, static_cast<float>(x) + 0.5f);
     }
 
     /// The point of the surface that a pixel's centre shows, in world space, from its depth. Depth

@@ -28,12 +28,18 @@ struct SightLines {
     glm::vec3 origin, right, down;
 };
 
-/// V: unit, towards the eye from what shows at a place of the screen.
+/// Those of one row: x pixels along it towards start + x right.
+struct SightRow {
+    glm::vec3 start, right;
+};
+inline SightRow sight_row(const SightLines& lines, float y) {
+    return {lines.origin + lines.down * y, lines.right};
+}
+
+/// V: unit, towards the eye from what shows x pixels along the row.
 template <class Real>
-shading::Vec3<Real> view_along(const SightLines& lines, Real x, Real y) {
-    const auto part = [&](int i) {
-        return (Real(lines.origin[i]) + Real(lines.down[i]) * y) + Real(lines.right[i]) * x;
-    };
+shading::Vec3<Real> view_along(const SightRow& row, Real x) {
+    const auto part = [&](int i) { return Real(row.start[i]) + Real(row.right[i]) * x; };
     return shading::unit(shading::Vec3<Real>(part(0), part(1), part(2)));
 }
 

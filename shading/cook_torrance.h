@@ -1,6 +1,5 @@
 #pragma once
 
-#include "shading/blinn.h"
 #include "shading/lambert.h"
 #include "shading/microfacets.h"
 #include "shading/radiometry.h"

@@ -75,13 +75,20 @@ MetalIndices<Number> metal_indices(const Rgb<Number>& n, const Rgb<Number>& k) n
     return {metal_index(n.x, k.x), metal_index(n.y, k.y), metal_index(n.z, k.z)};
 }
 
-/// In each channel, with one division for all. Where c is so small that the product of the three
-/// runs out of numbers, all is mirrored.
+/// Of red, green and blue, before the division.
+template <class Real>
+using FresnelShares = std::array<FresnelShare<Real>, 3>;
+
 template <class Real, class Number>
-Rgb<Real> fresnel_metal(Real c, const MetalIndices<Number>& indices) noexcept {
-    const FresnelShare<Real> red = metal_share(c, indices[0]);
-    const FresnelShare<Real> green = metal_share(c, indices[1]);
-    const FresnelShare<Real> blue = metal_share(c, indices[2]);
+FresnelShares<Real> metal_shares(Real c, const MetalIndices<Number>& indices) noexcept {
+    return {metal_share(c, indices[0]), metal_share(c, indices[1]), metal_share(c, indices[2])};
+}
+
+/// rho in each channel, with one division for all. Where the product of the three divisors runs out
+/// of numbers, as it does next to 90 degrees, all is mirrored.
+template <class Real>
+Rgb<Real> divided(const FresnelShares<Real>& shares) noexcept {
+    const auto& [red, green, blue] = shares;
     const Real of_green_blue = green.of * blue.of;
     const Real of_all = red.of * of_green_blue;
     const auto divides = of_all > Real(0x1p-100f);
@@ -92,6 +99,11 @@ Rgb<Real> fresnel_metal(Real c, const MetalIndices<Number>& indices) noexcept {
     };
     return {quotient(red.mirrored, of_green_blue), quotient(green.mirrored, red.of * blue.of),
             quotient(blue.mirrored, red.of * green.of)};
+}
+
+template <class Real, class Number>
+Rgb<Real> fresnel_metal(Real c, const MetalIndices<Number>& indices) noexcept {
+    return divided(metal_shares(c, indices));
 }
 
 /// Cook & Torrance 1981, for a metal of which no more is known than what it reflects straight back,

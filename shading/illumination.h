@@ -142,12 +142,13 @@ struct CookTorrance {
         const auto shares = few_of(angles.count(), [&](int i) {
             return facets_share(angles[i], places.material_at(i).facets.slopes);
         });
-        for (int i = 0; i < places.count; ++i) {
-            const auto& material = places.material_at(i);
-            const Rgb<typename SomePlaces::Real> mirrored =
-                reflectance_at(angles[i].VH(), material.facets.reflectance) * shares[i];
-            take(i, together(places.surface_at(i), material, light_at(i), mirrored));
-        }
+        const auto cosine_at = [&](int i) { return angles[i].VH(); };
+        const auto add_body = [&](int i, const auto& rho) {
+            take(i, together(places.surface_at(i), places.material_at(i), light_at(i),
+                             rho * shares[i]));
+        };
+        const auto& material = places.material_at(0);
+        reflectances_at(angles.count(), cosine_at, material.facets.reflectance, add_body);
     }
 
 private:
@@ -216,8 +217,8 @@ concept WorksOnFew = requires {
     requires Model::works_on_few;
 };
 
-/// A few surfaces that are to be lit: `surface_at(i)` and `material_at(i)`, as often as they are
-/// asked for.
+/// A few surfaces, at least one, that are to be lit: `surface_at(i)` and `material_at(i)`, as often
+/// as they are asked for. All of one material, but for its colours and its exponent.
 template <class Number, class SurfaceAt, class MaterialAt>
 struct Places {
     using Real = Number;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shading/few.h"
 #include "shading/fresnel.h"
 
 namespace scanlight::shading {
@@ -43,6 +44,22 @@ Rgb<Real> reflectance_at(Real c, const Reflectance& material) noexcept {
             break;
     }
     return Rgb<Real>(fresnel(c, Real(n.x)));
+}
+
+/// `reflectance_at` a few angles, their cosines `cosine_at(i)`. Calls `take(i, rho)` for each: of
+/// metals first all roots are drawn, then all is divided.
+template <class CosineAt, class Take>
+void reflectances_at(int count, const CosineAt& cosine_at, const Reflectance& material,
+                     Take&& take) noexcept {
+    if (material.kind == Reflectance::Kind::metal) {
+        const auto shares =
+            few_of(count, [&](int i) { return metal_shares(cosine_at(i), material.indices); });
+        for (int i = 0; i < count; ++i)
+            take(i, divided(shares[i]));
+    } else {
+        for (int i = 0; i < count; ++i)
+            take(i, reflectance_at(cosine_at(i), material));
+    }
 }
 
 }  // namespace scanlight::shading

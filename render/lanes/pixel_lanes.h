@@ -129,6 +129,7 @@ struct FaceLanes {
 struct PixelLanes : FaceLanes {
     int x, y;
     raster::PixelPlace place;  // of the first
+    const SightRow* sight;     // of their row
 
     Ints depth() const { return load(place.depth); }
     Ints attribute(int k) const { return load(place.kept(k + 1)); }
@@ -179,9 +180,8 @@ inline VectorLanes point_at(const ObjectPass& pass, const PixelLanes& pixels) {
 }
 
 /// `Frame::view_at`.
-inline VectorLanes view_at(const ObjectPass& pass, const PixelLanes& pixels) {
-    return view_along(pass.frame->sight_lines, floats_of(Ints(pixels.x) + iota()) + Floats(0.5f),
-                      Floats(static_cast<float>(pixels.y) + 0.5f));
+inline VectorLanes view_at(const PixelLanes& pixels) {
+    return view_along(*pixels.sight, floats_of(Ints(pixels.x) + iota()) + Floats(0.5f));
 }
 
 /// Of the side seen, world space.

@@ -112,7 +112,7 @@ public:
     PhongLanes(const ObjectPass& pass, const Model& model) : pass_(pass), model_(model) {}
 
     Surface surface(const PixelLanes& pixels) const {
-        return {{point_at(pass_, pixels), normal_at(pass_, pixels), view_at(pass_, pixels)},
+        return {{point_at(pass_, pixels), normal_at(pass_, pixels), view_at(pixels)},
                 vertex_color(pixels)};
     }
 

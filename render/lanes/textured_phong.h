@@ -20,7 +20,7 @@ public:
     /// Each part is made in its place: to copy such long ones would take its time.
     Surface surface(const PixelLanes& pixels) const {
         const VectorLanes point = point_at(pass_, pixels);
-        return {{point, normal_at(pass_, pixels), view_at(pass_, pixels)},
+        return {{point, normal_at(pass_, pixels), view_at(pixels)},
                 site_at(pixels, point),
                 color(pixels),
                 select(pixels.back(), Floats(-1), Floats(1))};

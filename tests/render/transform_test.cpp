@@ -122,13 +122,13 @@ TEST(Transform, LanesGoBackIntoTheWorldByTheBitsOfTheScalars) {
         const std::array<glm::vec3, 2> screen{random.in_cube(100.0), random.in_cube(100.0)};
         const auto points = point_behind(world_from_screen, paired(screen[0], screen[1]));
         const auto views = view_from(viewpoint, points);
-        const SightLines lines{screen[0], screen[1], glm::vec3(random.direction())};
-        const auto along = view_along(lines, points.x, points.y);
+        const SightRow row{screen[0], screen[1]};
+        const auto along = view_along(row, points.x);
         for (const std::size_t lane : {0u, 1u}) {
             const glm::vec3 point = point_behind(world_from_screen, screen[lane]);
             EXPECT_EQ(lane_of(points, lane), point);
             EXPECT_EQ(lane_of(views, lane), view_from(viewpoint, point));
-            EXPECT_EQ(lane_of(along, lane), view_along(lines, point.x, point.y));
+            EXPECT_EQ(lane_of(along, lane), view_along(row, point.x));
         }
     }
 }

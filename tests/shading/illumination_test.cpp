@@ -337,6 +337,19 @@ TEST(FacingViewer, LightsTheBackOfASheet) {
     EXPECT_EQ(illuminate<Lambert>(facing_viewer(back), material, lighting).x, 0.5f);
 }
 
+Reflectance some_reflectance(Random& random) {
+    const Rgb<double> n(random.color());
+    const Rgb<double> k(random.color() * 4.0);
+    switch (static_cast<int>(random.between(0, 3))) {
+        case 0:
+            return metal(n, k);
+        case 1:
+            return shifted(metal(n, k));
+        default:
+            return dielectric(1.5);
+    }
+}
+
 Material<float> some_material(Random& random) {
     Material<float> material;
     material.ambient = Rgb<float>(random.color());
@@ -344,7 +357,7 @@ Material<float> some_material(Random& random) {
     material.specular = Rgb<float>(random.color());
     material.exponent = Exponent(std::floor(random.between(0, 40)));
     material.facets = {{static_cast<FacetDistribution>(random.between(0, 3)), 0.3},
-                       dielectric(1.5),
+                       some_reflectance(random),
                        random.between(0, 1)};
     return material;
 }
@@ -367,7 +380,7 @@ void expect_few_as_each(const Model& model) {
             const Vec3<float> normal(random.unit_vector());
             surfaces.push_back({point, normal, Vec3<float>(random.unit_vector())});
             materials.push_back(some_material(random));
-            materials.back().facets.slopes = materials.front().facets.slopes;
+            materials.back().facets = materials.front().facets;
         }
         const auto surface_at = [&](int k) { return surfaces[static_cast<std::size_t>(k)]; };
         const auto material_at = [&](int k) { return materials[static_cast<std::size_t>(k)]; };

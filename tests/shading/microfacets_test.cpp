@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "shading/blinn.h"
 #include "tests/shading/hemisphere.h"
 #include "tests/shading/random.h"
 

@@ -208,7 +208,7 @@ Lesson cook_torrance_lesson() {
             {{"shading/cook_torrance.h", "cook_torrance"},
              {"shading/microfacets.h", "beckmann_facets"},
              {"shading/microfacets.h", "facets_open"},
-             {"shading/fresnel.h", "fresnel_metal"}},
+             {"shading/fresnel.h", "metal_share"}},
             draw};
 }
 
