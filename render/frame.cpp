@@ -57,6 +57,11 @@ shading::Lighting<float> lights_at_infinity(shading::Lighting<float> lighting,
 
 }  // namespace
 
+SightRow Frame::sight_row(int y) const {
+    const float to_centre = static_cast<float>(y) + 0.5f;
+    return {sight_lines.origin + sight_lines.down * to_centre, sight_lines.right};
+}
+
 Frame frame_of(const Scene& scene, Distances distances, raster::Viewport viewport) {
     const Camera& camera = scene.camera;
     const double aspect = static_cast<double>(viewport.width) / viewport.height;

@@ -35,9 +35,10 @@ struct Frame {
 
     /// V of what a pixel's centre shows, from the line of sight.
     glm::vec3 view_at(int x, int y) const {
-        const SightRow row = sight_row(sight_lines, static_cast<float>(y) + 0.5f);
-        return view_along(row, static_cast<float>(x) + 0.5f);
+        return view_along(sight_row(y), static_cast<float>(x) + 0.5f);
     }
+    /// Through the centres of a row of pixels.
+    SightRow sight_row(int y) const;
 
     /// The point of the surface that a pixel's centre shows, in world space, from its depth. Depth
     /// is exact over the screen, so no position has to be interpolated.

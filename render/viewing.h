@@ -28,13 +28,10 @@ struct SightLines {
     glm::vec3 origin, right, down;
 };
 
-/// Those of one row: x pixels along it towards start + x right.
+/// Those through one row of pixels: x pixels along it, towards start + x right.
 struct SightRow {
     glm::vec3 start, right;
 };
-inline SightRow sight_row(const SightLines& lines, float y) {
-    return {lines.origin + lines.down * y, lines.right};
-}
 
 /// V: unit, towards the eye from what shows x pixels along the row.
 template <class Real>

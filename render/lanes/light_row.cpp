@@ -19,7 +19,7 @@ public:
           band_(band),
           shadows_(shadows),
           y_(y),
-          sight_(sight_row(pass.frame->sight_lines, static_cast<float>(y) + 0.5f)) {}
+          sight_(pass.frame->sight_row(y)) {}
 
     /// First what surfaces a few vectors of pixels show, then their light.
     SCANLIGHT_FLATTEN std::size_t light(RowWriter& to) const {
