@@ -227,7 +227,7 @@ void add_light_options(CLI::App& app, SceneOptions& o) {
                    "a picture of all directions, or the built-in room, seen behind everything;\n"
                    "surfaces with a mirror= colour reflect it in Phong shading")
         ->type_name("FILE|room")
-        ->each([&o](const std::string&) { o.environment.stated_at.clear(); });
+        ->each([&o](const std::string&) { o.environment.stated = {}; });
     add_choice(app, "--environment-layout", o.environment.layout,
                "longitude and latitude with y up, a mirror ball seen from the camera, or the six\n"
                "sides of a cube: in a row or column (+x -x +y -y ahead behind), or a cross");

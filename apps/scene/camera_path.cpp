@@ -66,10 +66,10 @@ void check_camera_keys(const SceneOptions& options) {
     const auto& keys = options.camera_keys;
     for (std::size_t i = 1; i < keys.size(); ++i) {
         if (keys[i].at <= keys[i - 1].at)
-            throw mesh::FileError(keys[i].stated_at +
+            throw mesh::FileError(keys[i].stated.at({"at"}) +
                                   ": [[camera.key]] is not later than the one before");
         if (keys[i].eye.has_value() != keys[0].eye.has_value())
-            throw mesh::FileError(keys[i].stated_at +
+            throw mesh::FileError(keys[i].stated.at({"view", "eye"}) +
                                   ": [[camera.key]] with 'view' among others with 'eye'");
     }
 }

@@ -62,4 +62,11 @@ void check_keys(const Table& table, const std::vector<std::string>& known, const
     }
 }
 
+Stated stated(const Table& table, const Where& where) {
+    Stated stated{place_text(where.file, where.place), {}};
+    for (const Entry& entry : table)
+        stated.values[entry.name] = place_text(where.file, entry.value.place);
+    return stated;
+}
+
 }  // namespace scanlight::apps

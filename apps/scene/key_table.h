@@ -9,6 +9,7 @@
 
 #include "apps/scene/document.h"
 #include "apps/scene/kinds.h"
+#include "apps/scene/stated.h"
 
 namespace scanlight::apps {
 
@@ -121,6 +122,9 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
 void check_keys(const Table& table, const std::vector<std::string>& known, const KeyRules& rules,
                 const Where& where);
 
+/// Where a table and the values in it stand.
+Stated stated(const Table& table, const Where& where);
+
 template <class Owner>
 void read_keys(const KeyTable<Owner>& keys, const Table& table, const Where& where, Owner& owner) {
     std::vector<std::string> known;
@@ -134,8 +138,7 @@ void read_keys(const KeyTable<Owner>& keys, const Table& table, const Where& whe
                   "'" + key.info.name + "': expected " + key.info.words + ", not " +
                       described(entry->value));
     }
-    if constexpr (requires { owner.stated_at; })
-        owner.stated_at = place_text(where.file, where.place);
+    if constexpr (requires { owner.stated; }) owner.stated = stated(table, where);
 }
 
 /// A line for each key that has to be said.

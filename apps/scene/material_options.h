@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "apps/scene/facets.h"
+#include "apps/scene/stated.h"
 #include "apps/scene/texture_option.h"
 #include "shading/material.h"
 
@@ -27,7 +28,7 @@ struct MaterialOptions {
     std::optional<double> transmitted_exponent;     // n_t
     FacetOptions facets;
     SlotNames textures;
-    std::string stated_at;  // in a scene file, for messages: "scene.toml:12:3"
+    Stated stated;
 };
 
 /// What `above` says, and of the rest what `below` says.

@@ -35,7 +35,8 @@ MeshSource source_of(const ObjectOptions& object, const SceneOptions& options) {
 }
 
 Model load(const ObjectOptions& object, const MeshSource& source) {
-    if (!names_shape(object.input)) expect_file(object.stated_at, "mesh", object.input);
+    const std::string& stated_at = object.stated.at({"mesh", "shape"});
+    if (!names_shape(object.input)) expect_file(stated_at, "mesh", object.input);
     try {
         Model model = load_model(source.input, source.normals);
         if (source.polygons == Polygons::triangulated) model.mesh = mesh::triangulated(model.mesh);
@@ -43,7 +44,7 @@ Model load(const ObjectOptions& object, const MeshSource& source) {
             model.warnings.push_back(model.name + ": " + left_out);
         return model;
     } catch (const mesh::FileError& error) {
-        throw mesh::FileError(prefix_of(object.stated_at) + error.what());
+        throw mesh::FileError(prefix_of(stated_at) + error.what());
     }
 }
 
@@ -54,7 +55,7 @@ void expect_finite(const ObjectOptions& object, const mesh::Box& box) {
         return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;
     };
     if (box.empty() || (fits(box.low) && fits(box.high))) return;
-    throw UsageError(prefix_of(object.stated_at) +
+    throw UsageError(prefix_of(object.stated.table) +
                      "the object is placed beyond what a float holds");
 }
 
@@ -75,7 +76,7 @@ mesh::Box box_around(const Models& models, const SceneOptions& options) {
 void add_faces(std::size_t& faces, const Model& model, const ObjectOptions& object) {
     faces += model.mesh.face_count();
     if (faces <= most_faces_of_many || faces == model.mesh.face_count()) return;
-    throw UsageError(prefix_of(object.stated_at) + "more than " +
+    throw UsageError(prefix_of(object.stated.table) + "more than " +
                      std::to_string(most_faces_of_many) + " faces in all");
 }
 

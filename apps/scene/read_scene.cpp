@@ -150,7 +150,7 @@ public:
     Names(std::string kind, const std::vector<Named>& list) : kind_(std::move(kind)) {
         for (const Named& one : list) {
             if (!known_.insert(one.name).second)
-                throw mesh::FileError(one.stated_at + ": a second " + kind_ + " named " +
+                throw mesh::FileError(one.stated.at({"name"}) + ": a second " + kind_ + " named " +
                                       in_quotes(one.name));
         }
     }
@@ -172,14 +172,14 @@ void check_names(const SceneOptions& options) {
     const Names materials("material", options.materials);
     const Names textures("texture", options.textures);
     const auto expect_textures = [&](const auto& owner) {
-        for (const std::string& name : owner.textures)
-            textures.expect(name, owner.stated_at);
+        for (const auto& [word, slot] : words_beside(TextureSlot{}))
+            textures.expect(owner.textures[slot], owner.stated.at({word + "_texture"}));
     };
     expect_textures(options.material);
     std::ranges::for_each(options.materials, expect_textures);
     std::ranges::for_each(options.objects, expect_textures);
     for (const ObjectOptions& object : options.objects)
-        materials.expect(object.material, object.stated_at);
+        materials.expect(object.material, object.stated.at({"material"}));
 }
 
 std::string scene_path(const std::string& input) {

@@ -7,6 +7,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "apps/scene/parse.h"
+#include "apps/scene/stated.h"
 #include "mesh/build.h"
 #include "raster/project.h"
 #include "render/scene.h"
@@ -47,7 +48,7 @@ struct ObjectOptions {
     std::optional<mesh::NormalWeight> normals;
     std::optional<float> crease_deg;
     render::OwnSettings own;
-    std::string stated_at;  // in a scene file, for messages: "scene.toml:12:3"
+    Stated stated;
 };
 
 /// The camera at a moment of a turntable.
@@ -58,7 +59,7 @@ struct CameraKey {
     std::optional<glm::dvec3> target;
     std::optional<double> zoom;
     std::optional<double> fov_deg;
-    std::string stated_at;  // in a scene file, for messages
+    Stated stated;
 };
 
 /// What is around everything.
@@ -67,7 +68,7 @@ struct EnvironmentOptions {
     shading::EnvironmentLayout layout = shading::EnvironmentLayout::latitudes;
     bool lights = false;                  // matt surfaces too
     std::optional<glm::dvec3> seen_from;  // what is mirrored; none: the image
-    std::string stated_at;                // in a scene file, for messages
+    Stated stated;
 };
 
 /// All that says what a picture shows, apart from the file it goes to: what a command line or a

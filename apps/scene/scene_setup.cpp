@@ -196,9 +196,10 @@ constexpr int cube_map_side = 512;
 
 shading::Environment environment_of(const EnvironmentOptions& options) {
     const bool is_room = options.image == "room";
-    if (!is_room) return scene_environment(options.image, options.layout, options.stated_at);
+    if (!is_room)
+        return scene_environment(options.image, options.layout, options.stated.at({"image"}));
     if (options.layout != shading::EnvironmentLayout::latitudes)
-        throw UsageError(prefix_of(options.stated_at) +
+        throw UsageError(prefix_of(options.stated.at({"layout"})) +
                          "the built-in room is laid out by latitudes");
     return {options.layout, {render::room(512)}, glm::mat3(1.0f)};
 }

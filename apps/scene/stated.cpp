@@ -6,6 +6,14 @@
 
 namespace scanlight::apps {
 
+const std::string& Stated::at(std::initializer_list<std::string> keys) const {
+    for (const std::string& key : keys) {
+        const auto value = values.find(key);
+        if (value != values.end()) return value->second;
+    }
+    return table;
+}
+
 std::string prefix_of(const std::string& stated_at) {
     return stated_at.empty() ? "" : stated_at + ": ";
 }

@@ -169,7 +169,7 @@ SlotNames laid_over(SlotNames below, const SlotNames& above) {
 TextureImages::Image TextureImages::image(const TextureOption& option, TextureSlot slot) {
     auto& image = images_[{option.image_path, meaning_in(slot)}];
     if (image == nullptr)
-        image = scene_image(option.image_path, meaning_in(slot), option.stated_at);
+        image = scene_image(option.image_path, meaning_in(slot), option.stated.at({"image"}));
     return slot == TextureSlot::bump ? slopes(option, image) : image;
 }
 

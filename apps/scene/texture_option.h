@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "apps/scene/stated.h"
 #include "mesh/bounds.h"
 #include "render/texture_fit.h"
 #include "render/texture_image.h"
@@ -24,8 +25,8 @@ struct TextureOption {
     std::string image_path;  // of Pattern::image
     render::Axis axis = render::Axis::y;
     double scale = 1.0;
-    float height = 0.05f;   // of a bump
-    std::string stated_at;  // in a scene file, for messages: "scene.toml:12:3"
+    float height = 0.05f;  // of a bump
+    Stated stated;
 };
 
 /// "SLOT=KIND [key=value…]", such as "diffuse=checker mapping=spherical count=12". Throws

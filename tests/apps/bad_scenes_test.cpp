@@ -94,9 +94,9 @@ const std::vector<BadScene>& bad_scenes() {
         {"[[object]]\nscale = 2\n", "1:1: [[object]] without 'mesh' or 'shape'"},
         {"[[object]]\nmesh = \"a.obj\"\nshape = \"cube\"\n", "3:1: 'mesh' and 'shape' in one [[object]]; expected one of them"},
         {"[[material]]\nkd = 1\n", "1:1: [[material]] without 'name'"},
-        {"[[material]]\nname = \"a\"\n[[material]]\nname = \"a\"\n", "3:1: a second material named 'a'"},
-        {"[[material]]\nname = \"gold\"\n[[object]]\nshape = \"cube\"\nmaterial = \"glod\"\n", "3:1: no material is named 'glod'; did you mean 'gold'?"},
-        {"[[object]]\nshape = \"cube\"\nmaterial = \"gold\"\n", "1:1: no material is named 'gold'"},
+        {"[[material]]\nname = \"a\"\n[[material]]\nname = \"a\"\n", "4:8: a second material named 'a'"},
+        {"[[material]]\nname = \"gold\"\n[[object]]\nshape = \"cube\"\nmaterial = \"glod\"\n", "5:12: no material is named 'glod'; did you mean 'gold'?"},
+        {"[[object]]\nshape = \"cube\"\nmaterial = \"gold\"\n", "3:12: no material is named 'gold'"},
         // textures
         {"[[texture]]\npattern = \"wood\"\n", "1:1: [[texture]] without 'name'"},
         {"[[texture]]\nname = \"a\"\n", "1:1: [[texture]] without 'image' or 'pattern'"},
@@ -109,10 +109,10 @@ const std::vector<BadScene>& bad_scenes() {
         {"[[texture]]\nname = \"a\"\npattern = \"wood\"\ncount = 0\n", "4:9: 'count': expected a number from 1 to 10000, not 0"},
         {"[[texture]]\nname = \"a\"\npattern = \"wood\"\nwrap = true\n", "4:8: 'wrap': expected \"repeat\", \"clamp\" or \"mirror\", not true"},
         {"[[texture]]\nname = \"a\"\npattern = \"wood\"\nhight = 1\n", "4:1: unknown key 'hight' in [[texture]]; did you mean 'high'?"},
-        {"[[texture]]\nname = \"a\"\npattern = \"wood\"\n[[texture]]\nname = \"a\"\npattern = \"wood\"\n", "4:1: a second texture named 'a'"},
-        {"[[texture]]\nname = \"a\"\npattern = \"wood\"\n[[object]]\nshape = \"cube\"\ndiffuse_texture = \"b\"\n", "4:1: no texture is named 'b'; did you mean 'a'?"},
-        {"[[material]]\nname = \"m\"\nbump_texture = \"waves\"\n", "1:1: no texture is named 'waves'"},
-        {"\n[surface]\nopacity_texture = \"net\"\n", "2:1: no texture is named 'net'"},
+        {"[[texture]]\nname = \"a\"\npattern = \"wood\"\n[[texture]]\nname = \"a\"\npattern = \"wood\"\n", "5:8: a second texture named 'a'"},
+        {"[[texture]]\nname = \"a\"\npattern = \"wood\"\n[[object]]\nshape = \"cube\"\ndiffuse_texture = \"b\"\n", "6:19: no texture is named 'b'; did you mean 'a'?"},
+        {"[[material]]\nname = \"m\"\nbump_texture = \"waves\"\n", "3:16: no texture is named 'waves'"},
+        {"\n[surface]\nopacity_texture = \"net\"\n", "3:19: no texture is named 'net'"},
         {"[[object]]\nshape = \"cube\"\ndifuse_texture = \"a\"\n", "3:1: unknown key 'difuse_texture' in [[object]]; did you mean 'diffuse_texture'?"},
         {"[[object]]\nshape = \"cube\"\nnormal_texture = 1\n", "3:18: 'normal_texture': expected text of 1 to 200 bytes, not 1"},
         // surfaces
@@ -231,18 +231,18 @@ TEST(BadScenes, OfMeshesThatAreNotThere) {
     const Shell shell;
     shell.write("a.toml", "\n[[object]]\nmesh = \"gone.obj\"\n");
     EXPECT_EQ(complaint_of(shell, "scanlight render a.toml -o out.png"),
-              "scanlight: a.toml:2:1: mesh 'gone.obj': no such file\n");
+              "scanlight: a.toml:3:8: mesh 'gone.obj': no such file\n");
     shell.run("mkfifo pipe.obj");
     shell.write("b.toml", "[[object]]\nmesh = \"pipe.obj\"\n");
     EXPECT_EQ(complaint_of(shell, "scanlight render b.toml -o out.png"),
-              "scanlight: b.toml:1:1: mesh 'pipe.obj': no such file\n");
+              "scanlight: b.toml:2:8: mesh 'pipe.obj': no such file\n");
     shell.write("c.toml", "[[object]]\nshape = \"teapod\"\n");
     EXPECT_EQ(complaint_of(shell, "scanlight render c.toml -o out.png"),
-              "scanlight: c.toml:1:1: no shape is named 'teapod'; the nearest is 'teapot'\n");
+              "scanlight: c.toml:2:9: no shape is named 'teapod'; the nearest is 'teapot'\n");
     shell.write("bad.obj", "v 1 2 3\nf 1 2 3\n");
     shell.write("d.toml", "[[object]]\nmesh = \"bad.obj\"\n");
     EXPECT_EQ(complaint_of(shell, "scanlight render d.toml -o out.png")
-                  .find("scanlight: d.toml:1:1: bad.obj:2: "),
+                  .find("scanlight: d.toml:2:8: bad.obj:2: "),
               0u);
 }
 
@@ -252,15 +252,15 @@ TEST(BadScenes, OfPicturesThatAreNotThere) {
                 "[[object]]\nshape = \"cube\"\ndiffuse_texture = \"t\"\n"
                 "[[texture]]\nname = \"t\"\nimage = \"gone.png\"\n");
     EXPECT_EQ(complaint_of(shell, "scanlight render a.toml -o out.png"),
-              "scanlight: a.toml:4:1: image 'gone.png': no such file\n");
+              "scanlight: a.toml:6:9: image 'gone.png': no such file\n");
     shell.run("mkfifo pipe.hdr");
     shell.write("b.toml", "[environment]\nimage = \"pipe.hdr\"\n[[object]]\nshape = \"cube\"\n");
     EXPECT_EQ(complaint_of(shell, "scanlight render b.toml -o out.png"),
-              "scanlight: b.toml:1:1: image 'pipe.hdr': no such file\n");
+              "scanlight: b.toml:2:9: image 'pipe.hdr': no such file\n");
     shell.write("bad.png", "no picture");
     shell.write("c.toml", "[environment]\nimage = \"bad.png\"\n[[object]]\nshape = \"cube\"\n");
     EXPECT_EQ(complaint_of(shell, "scanlight render c.toml -o out.png")
-                  .find("scanlight: c.toml:1:1: bad.png: "),
+                  .find("scanlight: c.toml:2:9: bad.png: "),
               0u);
 }
 

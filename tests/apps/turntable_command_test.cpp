@@ -86,7 +86,7 @@ TEST(Turntable, RefusesWhatCannotBe) {
         {"cube -o a.gif --eye 1,2,3 --elevation-deg 5", "--elevation-deg with an eye"},
         {"cube -o a.gif --samples 16 --size 9000x10", "expected at most 4096 pixels each way"},
         {"cube", "--output"},
-        {"k.toml -o a.gif", "k.toml:6:1: [[camera.key]] is not later than the one before"},
+        {"k.toml -o a.gif", "k.toml:7:6: [[camera.key]] is not later than the one before"},
     };
     for (const auto& [arguments, message] : cases) {
         const Outcome outcome = shell.run("scanlight turntable " + arguments);
